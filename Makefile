@@ -1,0 +1,101 @@
+# Makefile - builds meshgen, its library and its tests. `make help` lists the targets.
+# One non-recursive file; objects of each configuration stand in build/<CONFIG>/.
+
+CONFIG ?= release
+prefix ?= /usr/local
+bindir ?= $(prefix)/bin
+mandir ?= $(prefix)/share/man
+DESTDIR ?=
+CC ?= cc
+CXX ?= c++
+ifeq ($(origin CC),default)
+CC := gcc
+endif
+ifeq ($(origin CXX),default)
+CXX := g++
+endif
+PKG_CONFIG ?= pkg-config
+# Extra flags of the person at the keyboard, e.g. MARCH=-march=native; they never change a result.
+MARCH ?=
+V ?= 0
+Q := $(if $(filter 1,$(V)),,@)
+
+B := build/$(CONFIG)
+
+OPT_release := -O3 -g1 -DNDEBUG
+OPT_debug := -O0 -g -DCHECK_LEVEL=2
+OPT_asan := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined -DCHECK_LEVEL=1
+OPT_stress := -O1 -g -DSTRESS -DCHECK_LEVEL=3
+OPT_cov := -O0 -g --coverage -DCHECK_LEVEL=1
+OPT_fuzz := -O1 -g -fsanitize=fuzzer-no-link,address,undefined -DCHECK_LEVEL=1
+ifeq ($(OPT_$(CONFIG)),)
+$(error unknown CONFIG=$(CONFIG): release, debug, asan, stress, cov, fuzz)
+endif
+
+WARN := -Wall -Wextra -Wpedantic -Wshadow -Wvla -Wpointer-arith -Wwrite-strings -Wundef
+CWARN := $(WARN) -Wstrict-prototypes -Wmissing-prototypes
+ifdef DEVELOPER
+WARN += -Werror
+endif
+
+# No contraction of a*b+c, never -ffast-math: exact predicates and equal bytes from every compiler need it.
+COMMON := -Isrc -D_GNU_SOURCE -ffp-contract=off -fno-math-errno -fvisibility=hidden -pthread $(OPT_$(CONFIG)) $(MARCH) -MMD -MP
+LIB_PKGS := cairo
+PKG_CFLAGS := $(shell $(PKG_CONFIG) --cflags $(LIB_PKGS) 2>/dev/null)
+PKG_LIBS := $(shell $(PKG_CONFIG) --libs $(LIB_PKGS) 2>/dev/null || echo -lcairo)
+CFLAGS_ALL := -std=c11 $(CWARN) $(COMMON) $(PKG_CFLAGS) $(CFLAGS)
+CXXFLAGS_ALL := -std=c++17 $(WARN) $(COMMON) $(CXXFLAGS)
+LIBS := $(PKG_LIBS) -lOpenMeshCore -lmetis -lmpfr -lgmp -lz -lm
+
+SRC_C := $(sort $(wildcard src/*/*.c))
+SRC_CC := $(sort $(wildcard src/*/*.cc))
+OBJ := $(SRC_C:src/%.c=$(B)/%.o) $(SRC_CC:src/%.cc=$(B)/%.o)
+MAIN_OBJ := $(B)/cli/main.o
+LIB := $(B)/libmeshgen.a
+PROGRAM := $(B)/meshgen
+
+.PHONY: all
+## all: build ./meshgen (default)
+all: meshgen
+
+meshgen: $(PROGRAM)
+	$(Q)ln -sf $(PROGRAM) meshgen
+
+$(PROGRAM): $(MAIN_OBJ) $(LIB)
+	@echo "LINK $@"
+	$(Q)$(CXX) $(OPT_$(CONFIG)) -pthread -o $@ $^ $(LDFLAGS) $(LIBS)
+
+$(LIB): $(filter-out $(MAIN_OBJ),$(OBJ))
+	@echo "AR   $@"
+	$(Q)rm -f $@ && ar rcs $@ $^
+
+$(B)/%.o: src/%.c Makefile
+	@mkdir -p $(@D)
+	@echo "CC   $<"
+	$(Q)$(CC) $(CFLAGS_ALL) -c -o $@ $<
+
+$(B)/%.o: src/%.cc Makefile
+	@mkdir -p $(@D)
+	@echo "CXX  $<"
+	$(Q)$(CXX) $(CXXFLAGS_ALL) -c -o $@ $<
+
+# ---- tests: every tests/unit/test_*.c or .cc is a cmocka program -----------------------------------------------
+UNIT_C := $(sort $(wildcard tests/unit/test_*.c))
+UNIT_CC := $(sort $(wildcard tests/unit/test_*.cc))
+UNIT := $(UNIT_C:tests/unit/%.c=$(B)/unit/%) $(UNIT_CC:tests/unit/%.cc=$(B)/unit/%)
+
+$(B)/unit/%: tests/unit/%.c $(LIB)
+	@mkdir -p $(@D)
+	@echo "CC   $<"
+	$(Q)$(CC) $(CFLAGS_ALL) -Itests/unit -MF $@.d -MT $@ -o $@ $< $(LIB) $(LDFLAGS) -lcmocka -lstdc++ $(LIBS)
+
+$(B)/unit/%: tests/unit/%.cc $(LIB)
+	@mkdir -p $(@D)
+	@echo "CXX  $<"
+	$(Q)$(CXX) $(CXXFLAGS_ALL) -Wno-pedantic -Wno-shadow -Wno-undef -frounding-math -Itests/unit -MF $@.d -MT $@ -o $@ $< $(LIB) $(LDFLAGS) -lcmocka $(LIBS)
+
+.PHONY: unit
+## unit: build the unit tests of this CONFIG
+unit: $(UNIT)
+
+-include $(OBJ:.o=.d) $(UNIT:%=%.d)

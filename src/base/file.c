@@ -1,0 +1,234 @@
+// file.c - reading whole files, and writing files that are either complete or absent
+// SPDX-License-Identifier: MIT
+#include "base/base.h"
+
+#include "base/file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <pthread.h>
+#include <stdarg.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/mem.h"
+#include "base/number.h"
+
+char *file_read(const char *path, size_t *len)
+{
+  int fd = strcmp(path, "-") == 0 ? 0 : open(path, O_RDONLY | O_CLOEXEC);
+  if (fd < 0) return NULL;
+  struct stat st;
+  size_t cap = 1 << 16, n = 0;
+  if (fstat(fd, &st) == 0) {
+    if (S_ISDIR(st.st_mode)) {
+      if (fd) close(fd);
+      errno = EISDIR;
+      return NULL;
+    }
+    if (S_ISREG(st.st_mode)) cap = (size_t)st.st_size + 1;
+  }
+  char *buf = mem_alloc(cap + 1);
+  for (;;) {
+    if (n == cap) buf = mem_realloc(buf, (cap *= 2) + 1);
+    ssize_t r = read(fd, buf + n, MIN(cap - n, (size_t)1 << 30));
+    if (r < 0 && errno == EINTR) continue;
+    if (r > 0 && (n += (size_t)r) > UINT32_MAX) {
+      r = -1;
+      errno = EFBIG;
+    }
+    if (r < 0) {
+      int e = errno;
+      free(buf);
+      if (fd) close(fd);
+      errno = e;
+      return NULL;
+    }
+    if (r == 0) break;
+  }
+  if (fd) close(fd);
+  buf[n] = 0;
+  *len = n;
+  return buf;
+}
+
+enum { WRITER_BUF = 1 << 18, MAX_TEMPORARIES = 64, PATH_CAP = 4096 };
+
+struct Writer {
+  int fd, error, slot; // slot in temporaries[], or -1 when written directly
+  size_t used;
+  char *target;
+  char buf[WRITER_BUF];
+};
+
+// Names of the temporaries of open writers, so that a signal handler can remove them. The one piece of
+// process-wide state: it mirrors the file system.
+static struct {
+  volatile bool in_use;
+  char path[PATH_CAP];
+} temporaries[MAX_TEMPORARIES];
+static pthread_mutex_t temporaries_lock = PTHREAD_MUTEX_INITIALIZER;
+
+void file_remove_temporaries(void)
+{
+  for (int i = 0; i < MAX_TEMPORARIES; i++)
+    if (temporaries[i].in_use) unlink(temporaries[i].path);
+}
+
+static int open_temporary(const char *path, int *slot)
+{
+  pthread_mutex_lock(&temporaries_lock);
+  int i = 0, fd = -1;
+  while (i < MAX_TEMPORARIES && temporaries[i].in_use) i++;
+  if (i == MAX_TEMPORARIES)
+    errno = EMFILE;
+  else if (snprintf(temporaries[i].path, PATH_CAP, "%s.tmpXXXXXX", path) >= PATH_CAP)
+    errno = ENAMETOOLONG;
+  else if ((fd = mkstemp(temporaries[i].path)) >= 0) {
+    temporaries[i].in_use = true;
+    *slot = i;
+  }
+  pthread_mutex_unlock(&temporaries_lock);
+  return fd;
+}
+
+Writer *writer_open(const char *path)
+{
+  struct stat st;
+  int fd, slot = -1;
+  if (strcmp(path, "-") == 0)
+    fd = dup(1);
+  else if (stat(path, &st) == 0 && !S_ISREG(st.st_mode))
+    fd = open(path, O_WRONLY | O_CLOEXEC);
+  else {
+    if (stat(path, &st) == 0 && access(path, W_OK) != 0) return NULL;
+    fd = open_temporary(path, &slot);
+  }
+  if (fd < 0) return NULL;
+  if (slot >= 0) {
+    mode_t mask = umask(0);
+    umask(mask);
+    (void)!fchmod(fd, stat(path, &st) == 0 ? st.st_mode & 0777 : 0666 & ~mask);
+  }
+  Writer *w = mem_alloc(sizeof *w);
+  w->fd = fd;
+  w->error = 0;
+  w->slot = slot;
+  w->used = 0;
+  w->target = mem_strdup(path);
+  return w;
+}
+
+static void write_all(Writer *w, const char *p, size_t n)
+{
+  while (n && !w->error) {
+    ssize_t r = write(w->fd, p, MIN(n, (size_t)1 << 30));
+    if (r < 0) {
+      if (errno != EINTR) w->error = errno;
+      continue;
+    }
+    p += r;
+    n -= (size_t)r;
+  }
+}
+
+static void flush(Writer *w)
+{
+  write_all(w, w->buf, w->used);
+  w->used = 0;
+}
+
+void writer_bytes(Writer *w, const void *p, size_t n)
+{
+  if (n > WRITER_BUF - w->used) flush(w);
+  if (n > WRITER_BUF) {
+    write_all(w, p, n);
+    return;
+  }
+  memcpy(w->buf + w->used, p, n);
+  w->used += n;
+}
+
+char *writer_reserve(Writer *w, size_t n)
+{
+  if (n > WRITER_BUF - w->used) flush(w);
+  return w->buf + w->used;
+}
+
+void writer_commit(Writer *w, size_t n)
+{
+  w->used += n;
+}
+
+void writer_str(Writer *w, const char *s)
+{
+  writer_bytes(w, s, strlen(s));
+}
+
+void writer_char(Writer *w, char c)
+{
+  if (w->used == WRITER_BUF) flush(w);
+  w->buf[w->used++] = c;
+}
+
+void writer_u64(Writer *w, uint64_t v)
+{
+  writer_commit(w, number_print_u64(writer_reserve(w, NUMBER_MAX_TEXT), v));
+}
+
+void writer_i64(Writer *w, int64_t v)
+{
+  if (v < 0) writer_char(w, '-');
+  writer_u64(w, v < 0 ? -(uint64_t)v : (uint64_t)v);
+}
+
+void writer_double(Writer *w, double v)
+{
+  writer_commit(w, number_print(writer_reserve(w, NUMBER_MAX_TEXT), v));
+}
+
+void writer_printf(Writer *w, const char *fmt, ...)
+{
+  va_list ap, again;
+  va_start(ap, fmt);
+  va_copy(again, ap);
+  char *p = writer_reserve(w, 1024);
+  int n = vsnprintf(p, 1024, fmt, ap);
+  if (n < 1024) {
+    w->used += (size_t)MAX(n, 0);
+  } else {
+    char *big = mem_alloc((size_t)n + 1);
+    vsnprintf(big, (size_t)n + 1, fmt, again);
+    writer_bytes(w, big, (size_t)n);
+    free(big);
+  }
+  va_end(again);
+  va_end(ap);
+}
+
+static void forget(Writer *w, bool remove)
+{
+  if (w->slot >= 0) {
+    if (remove) unlink(temporaries[w->slot].path);
+    temporaries[w->slot].in_use = false;
+  }
+  free(w->target);
+  free(w);
+}
+
+int writer_close(Writer *w)
+{
+  flush(w);
+  if (!w->error && w->slot >= 0 && fsync(w->fd) != 0 && errno != EINVAL) w->error = errno;
+  if (close(w->fd) != 0 && !w->error) w->error = errno;
+  if (!w->error && w->slot >= 0 && rename(temporaries[w->slot].path, w->target) != 0) w->error = errno;
+  int error = w->error;
+  forget(w, error != 0);
+  return error;
+}
+
+void writer_abandon(Writer *w)
+{
+  close(w->fd);
+  forget(w, true);
+}

@@ -1,0 +1,51 @@
+// file.h - reading whole files, and writing files that are either complete or absent
+// SPDX-License-Identifier: MIT
+#ifndef BASE_FILE_H
+#define BASE_FILE_H
+
+#include "base/base.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// Whole file (or standard input when path is "-") into a fresh buffer with a NUL after the last byte.
+// Returns the buffer (caller frees) and its length in *len; NULL with errno set on failure (EFBIG over 4 GiB).
+char *file_read(const char *path, size_t *len);
+
+// A buffered writer. The bytes go to a temporary beside the target; writer_close moves it into place, so that
+// a reader sees the old file or the complete new one, never a part. "-" writes to standard output, and what is
+// not a regular file (a device, a pipe) is written directly.
+typedef struct Writer Writer;
+
+// NULL with errno set when the temporary cannot be made. `path` is copied.
+Writer *writer_open(const char *path);
+
+// These collect errors; nothing needs checking before writer_close.
+void writer_bytes(Writer *w, const void *p, size_t n);
+void writer_str(Writer *w, const char *s);
+void writer_printf(Writer *w, const char *fmt, ...) PRINTF_LIKE(2, 3);
+void writer_char(Writer *w, char c);
+void writer_u64(Writer *w, uint64_t v); // decimal
+void writer_i64(Writer *w, int64_t v);
+void writer_double(Writer *w, double v); // shortest decimal text that reads back to v
+
+// Room for n bytes (n <= 64 KiB) at the returned address; follow with writer_commit of the bytes used. The fast path.
+char *writer_reserve(Writer *w, size_t n);
+void writer_commit(Writer *w, size_t n);
+
+// Flush, fsync, rename. 0, or the errno of the first thing that went wrong, in which case nothing is left behind
+// and an old file of that name is untouched. Frees w.
+int writer_close(Writer *w);
+
+// Give up: remove the temporary, leave the target as it was. Frees w.
+void writer_abandon(Writer *w);
+
+// Remove all temporaries of open writers; async-signal-safe, for signal handlers and out-of-memory exits.
+void file_remove_temporaries(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,194 @@
+// test_base.c - properties of the base folder: maps, arenas, numbers, writers, diagnostics, loops
+// SPDX-License-Identifier: MIT
+#include "unit.h"
+
+#include <math.h>
+#include <unistd.h>
+
+#include "base/diag.h"
+#include "base/file.h"
+#include "base/map.h"
+#include "base/mem.h"
+#include "base/number.h"
+#include "base/rng.h"
+#include "base/str.h"
+#include "base/thread.h"
+
+static void map_agrees_with_an_array(void **state)
+{
+  (void)state;
+  enum { KEYS = 500, STEPS = 20000 };
+  uint32_t truth[KEYS];
+  memset(truth, 0xff, sizeof truth);
+  Map m = {0};
+  Rng rng = {7};
+  for (int i = 0; i < STEPS; i++) {
+    uint32_t k = rng_below(&rng, KEYS), what = rng_below(&rng, 3);
+    uint64_t key = (uint64_t)k * 0x100000001u;
+    if (what == 0) {
+      map_remove(&m, key);
+      truth[k] = NONE;
+    } else if (what == 1) {
+      map_set(&m, key, (uint32_t)i);
+      truth[k] = (uint32_t)i;
+    }
+    assert_int_equal(map_get(&m, key), truth[k]);
+  }
+  for (uint32_t k = 0; k < KEYS; k++) assert_int_equal(map_get(&m, (uint64_t)k * 0x100000001u), truth[k]);
+  map_free(&m);
+}
+
+static void names_find_what_was_set(void **state)
+{
+  (void)state;
+  Names m = {0};
+  char buf[32];
+  for (uint32_t i = 0; i < 1000; i++) {
+    snprintf(buf, sizeof buf, "name%u", i);
+    names_set(&m, buf, i);
+  }
+  for (uint32_t i = 0; i < 1000; i += 3) {
+    snprintf(buf, sizeof buf, "name%u", i);
+    names_remove(&m, buf);
+  }
+  for (uint32_t i = 0; i < 1000; i++) {
+    snprintf(buf, sizeof buf, "name%u", i);
+    assert_int_equal(names_get(&m, buf), i % 3 ? i : NONE);
+  }
+  names_free(&m);
+}
+
+static void numbers_read_back_to_the_same_bits(void **state)
+{
+  (void)state;
+  Rng rng = {1};
+  for (int i = 0; i < 200000; i++) {
+    uint64_t bits = rng_next(&rng);
+    double v, w;
+    memcpy(&v, &bits, sizeof v);
+    if (!isfinite(v)) continue;
+    char buf[NUMBER_MAX_TEXT];
+    size_t n = number_print(buf, v);
+    assert_ptr_equal(number_read(buf, buf + n, &w), buf + n);
+    assert_memory_equal(&v, &w, sizeof v);
+  }
+  static const struct { const char *text; double value; size_t used; } cases[] = {
+      {"1e400", INFINITY, 5}, {"-1e400", -INFINITY, 6}, {"1e-400", 0, 6}, {"+2.5", 2.5, 4},
+      {".5x", 0.5, 2},        {"12.", 12, 3},           {"1e3", 1000, 3}, {"x", 0, 0},
+      {"+-1", 0, 0},          {"5e-324", 5e-324, 6}};
+  for (size_t i = 0; i < ARRAY_LEN(cases); i++) {
+    double v = 0;
+    const char *s = cases[i].text;
+    assert_int_equal(number_read(s, s + strlen(s), &v) - s, cases[i].used);
+    assert_true(v == cases[i].value);
+  }
+}
+
+static void writer_leaves_a_whole_file_or_none(void **state)
+{
+  (void)state;
+  char path[] = "/tmp/meshgen-test-XXXXXX";
+  int fd = mkstemp(path);
+  assert_true(fd >= 0);
+  close(fd);
+  Writer *w = writer_open(path);
+  assert_non_null(w);
+  for (int i = 0; i < 100000; i++) writer_printf(w, "%d %s\n", i, "text");
+  writer_abandon(w);
+  size_t n;
+  char *text = file_read(path, &n);
+  assert_int_equal(n, 0);
+  free(text);
+  w = writer_open(path);
+  for (uint64_t i = 0; i < 100000; i++) writer_u64(w, i), writer_char(w, '\n');
+  assert_int_equal(writer_close(w), 0);
+  text = file_read(path, &n);
+  assert_int_equal(n, 588890 + 100000 - 100000);
+  assert_memory_equal(text + n - 6, "99999\n", 6);
+  free(text);
+  unlink(path);
+  assert_null(writer_open("/nonexistent-folder/x"));
+  w = writer_open("/dev/full");
+  assert_non_null(w);
+  writer_str(w, "x");
+  assert_int_not_equal(writer_close(w), 0);
+}
+
+static void arena_memory_is_zeroed_and_apart(void **state)
+{
+  (void)state;
+  Arena a = {0};
+  unsigned char *p[200];
+  for (size_t i = 0; i < 200; i++) {
+    p[i] = arena_alloc(&a, i * 997 % 3000 + 1);
+    for (size_t j = 0; j < i * 997 % 3000 + 1; j++) assert_int_equal(p[i][j], 0);
+    memset(p[i], (int)i, i * 997 % 3000 + 1);
+  }
+  for (size_t i = 0; i < 200; i++)
+    for (size_t j = 0; j < i * 997 % 3000 + 1; j++) assert_int_equal(p[i][j], (unsigned char)i);
+  arena_free(&a);
+}
+
+static void nearest_names_are_suggested(void **state)
+{
+  (void)state;
+  static const char *const names[] = {"Algorithm", "MeshSizeMax", "MeshSizeMin", "RecombineAll"};
+  assert_string_equal(str_nearest("Algoritm", names, 4), "Algorithm");
+  assert_string_equal(str_nearest("MeshSizeMxa", names, 4), "MeshSizeMax");
+  assert_string_equal(str_nearest("recombineall", names, 4), "RecombineAll");
+  assert_null(str_nearest("Banana", names, 4));
+  assert_int_equal(str_distance("kitten", "sitting", 5), 3);
+  assert_int_equal(str_distance("ab", "ba", 5), 1);
+}
+
+static void diagnostics_are_counted_and_merged_in_order(void **state)
+{
+  (void)state;
+  Diag *d = diag_new(false);
+  static const char text[] = "Point(1) = {0,0};\nLine(2) = {1,2};\n";
+  uint32_t f = diag_add_file(d, "a.geo", text, sizeof text - 1, NO_LOC);
+  Diag *c = diag_child(d);
+  diag_warning(c, (SrcLoc){f, 1, 1}, "odd %d", 1);
+  diag_error(c, (SrcLoc){f, 2, 1}, "bad %s", "thing");
+  diag_merge(d, c);
+  assert_int_equal(diag_errors(d), 1);
+  assert_int_equal(diag_warnings(d), 1);
+  assert_string_equal(diag_get(d, 1)->text, "bad thing");
+  assert_string_equal(diag_file_name(d, f), "a.geo");
+  for (int i = 0; i < 30; i++) diag_error(d, NO_LOC, "more");
+  assert_true(diag_full(d));
+  assert_int_equal(diag_errors(d), 31);
+  diag_free(d);
+}
+
+static void add_one(void *ctx, size_t i, int worker)
+{
+  (void)worker;
+  ((int *)ctx)[i]++;
+}
+
+static void parallel_loop_visits_each_item_once(void **state)
+{
+  (void)state;
+  static int hits[10000];
+  for (int threads = 1; threads <= 4; threads++) {
+    memset(hits, 0, sizeof hits);
+    thread_for(ARRAY_LEN(hits), threads, add_one, hits);
+    for (size_t i = 0; i < ARRAY_LEN(hits); i++) assert_int_equal(hits[i], 1);
+  }
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(map_agrees_with_an_array),
+      cmocka_unit_test(names_find_what_was_set),
+      cmocka_unit_test(numbers_read_back_to_the_same_bits),
+      cmocka_unit_test(writer_leaves_a_whole_file_or_none),
+      cmocka_unit_test(arena_memory_is_zeroed_and_apart),
+      cmocka_unit_test(nearest_names_are_suggested),
+      cmocka_unit_test(diagnostics_are_counted_and_merged_in_order),
+      cmocka_unit_test(parallel_loop_visits_each_item_once),
+  };
+  return unit_run(tests);
+}
