@@ -99,3 +99,4 @@ $(B)/unit/%: tests/unit/%.cc $(LIB)
 unit: $(UNIT)
 
 -include $(OBJ:.o=.d) $(UNIT:%=%.d)
+-include $(wildcard tests/bench/*.mk)
