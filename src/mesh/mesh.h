@@ -1,0 +1,101 @@
+// mesh.h - the result: nodes and elements classified on the entities they discretize, self-sufficient for the writers
+// SPDX-License-Identifier: MIT
+//
+// A Mesh knows nothing of curves as maps: it carries copies of the entities' tags, bounding boxes, boundaries and groups, so that
+// a mesh read from a file and one made from a model are the same kind of thing.
+//
+// Numbering is Gmsh's: entities by dimension, then ascending tag; nodes of points first, then interior nodes of each curve
+// from begin to end, then interior nodes of each face; elements in blocks by (dimension, tag, type).
+#ifndef MESH_MESH_H
+#define MESH_MESH_H
+
+#include "base/base.h"
+#include "base/mem.h"
+#include "geom/vec.h"
+
+// Element types: the numbers of the MSH formats.
+typedef enum {
+  ELEM_LINE2 = 1, ELEM_TRI3 = 2, ELEM_QUAD4 = 3, ELEM_LINE3 = 8, ELEM_TRI6 = 9, ELEM_QUAD9 = 10, ELEM_POINT = 15,
+  ELEM_QUAD8 = 16, ELEM_TRI9 = 20, ELEM_TRI10 = 21, ELEM_TRI15 = 23, ELEM_LINE4 = 26, ELEM_LINE5 = 27,
+  ELEM_QUAD16 = 36, ELEM_QUAD25 = 37, ELEM_QUAD12 = 39
+} ElemType;
+
+// Corner order is counter-clockwise about the face's normal:
+//
+//   2            3-----2        second order: corners, then edge nodes in the order of the edges 0-1, 1-2, 2(-3)-0,
+//   |\           |     |        then the interior; lines: both ends, then the interior from the first to the second.
+//   | \          |     |
+//   0--1         0-----1
+
+int elem_dim(ElemType t);           // 0, 1, 2; -1 for an unknown type
+int elem_nodes(ElemType t);         // nodes per element; 0 for an unknown type
+int elem_corners(ElemType t);       // 1, 2, 3 or 4
+int elem_order(ElemType t);         // polynomial order
+const char *elem_name(ElemType t);  // "triangle", "6-node triangle", ...
+
+typedef struct {
+  int dim, tag;
+  Vec3 lo, hi;             // bounding box
+  IntVec physical;         // physical tags, negative where the group was defined with the negative entity
+  IntVec boundary;         // signed tags of the bounding entities of dimension dim-1 (a curve's: begin, then -end)
+  IntVec embedded;         // tags of curves embedded in a face
+} MeshEntity;
+
+typedef struct {
+  int dim, tag;
+  char *name;              // NULL if it has none
+} MeshGroup;
+
+typedef struct {
+  uint32_t entity;         // index into entity[]
+  ElemType type;
+  size_t n;                // number of elements
+  uint32_t *node;          // n * elem_nodes(type) indices into the node arrays
+} MeshBlock;
+
+typedef struct {
+  int dim, tag, master;    // entity pair
+  bool has_affine;
+  double affine[16];       // row-major, from master to slave
+  U32Vec slave_node, master_node;
+} MeshPeriodic;
+
+typedef struct {
+  // nodes, structure of arrays
+  size_t nnode, node_cap;
+  double *xyz;             // 3 per node
+  uint32_t *node_entity;   // index into entity[]: the entity it is classified on
+  double *node_u;          // parameter on the curve; NAN elsewhere
+  uint64_t *node_tag;      // numbers in the file it was read from, or NULL for 1..n
+
+  size_t nentity, entity_cap;
+  MeshEntity *entity;      // by dim, then tag
+  size_t nblock, block_cap;
+  MeshBlock *block;        // by entity index, then type
+  size_t ngroup, group_cap;
+  MeshGroup *group;        // by dim, then tag; every physical tag in entity[].physical is here
+  size_t nperiodic, periodic_cap;
+  MeshPeriodic *periodic;
+} Mesh;
+
+Mesh *mesh_new(void);
+void mesh_free(Mesh *m);     // NULL is fine
+
+// Building. Indices are returned; entities must be added in order of (dim, tag), blocks in order of (entity, type).
+uint32_t mesh_add_entity(Mesh *m, int dim, int tag);
+uint32_t mesh_add_node(Mesh *m, Vec3 p, uint32_t entity, double u);
+// Room for n elements of a type on an entity; the caller fills block[].node. Returns the index of the block.
+uint32_t mesh_add_block(Mesh *m, uint32_t entity, ElemType type, size_t n);
+void mesh_add_group(Mesh *m, int dim, int tag, const char *name); // name may be NULL; copied
+MeshPeriodic *mesh_add_periodic(Mesh *m, int dim, int tag, int master); // valid until the next one
+
+uint32_t mesh_find_entity(const Mesh *m, int dim, int tag); // index or NONE; O(log n)
+const MeshGroup *mesh_find_group(const Mesh *m, int dim, int tag);
+size_t mesh_count(const Mesh *m, int dim);                  // elements of a dimension
+size_t mesh_count_type(const Mesh *m, ElemType t);
+static inline Vec3 mesh_xyz(const Mesh *m, uint32_t n)
+{
+  return (Vec3){m->xyz[3 * (size_t)n], m->xyz[3 * (size_t)n + 1], m->xyz[3 * (size_t)n + 2]};
+}
+
+#endif

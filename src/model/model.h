@@ -1,0 +1,191 @@
+// model.h - the boundary representation: points, curves, loops, faces and groups, as a script makes them
+// SPDX-License-Identifier: MIT
+//
+// Entities are known by (dimension, tag), tag > 0; each dimension has its own tag space, loops and physical groups too.
+// A curve has a sense: it runs from its begin to its end point as its parameter u goes from 0 to 1; a negative curve tag
+// means the curve run backwards. A loop lists signed curve tags, head to tail. A face's first loop is its outer boundary,
+// the others are holes; its normal is the right-hand normal of the outer loop. Lengths are in model units, angles in
+// radians. Points carry the size wanted there (lc), LC_UNSET if none.
+#ifndef MODEL_MODEL_H
+#define MODEL_MODEL_H
+
+#include "base/base.h"
+#include "base/diag.h"
+#include "base/mem.h"
+#include "geom/vec.h"
+
+#define LC_UNSET 1e22 // Gmsh's "no size given"
+
+typedef struct {
+  int tag;
+  Vec3 xyz;
+  double lc;    // > 0, or LC_UNSET
+  SrcLoc loc;   // the statement that made it
+} Point;
+
+typedef enum {
+  CURVE_LINE,      // 2 control points
+  CURVE_POLYLINE,  // Line with more than 2 points; u uniform per segment
+  CURVE_CIRCLE,    // {start, centre, end}, arc shorter than pi (or exactly pi, in the given plane)
+  CURVE_ELLIPSE,   // {start, centre, point on the major axis, end}
+  CURVE_SPLINE,    // uniform Catmull-Rom through all points
+  CURVE_BSPLINE,   // cubic, uniform knots, clamped; periodic if first == last
+  CURVE_BEZIER,    // one Bezier of degree n-1
+  CURVE_NURBS,     // non-uniform B-spline with `knot`
+} CurveType;
+
+typedef enum { LAW_UNIFORM, LAW_PROGRESSION, LAW_BUMP, LAW_BETA } TransfiniteLaw;
+
+// Layers of an extrusion (Layers{{n..},{h..}}): counts per layer and cumulative heights, ending at 1. n == 0: none given.
+typedef struct {
+  int n;
+  int *count;
+  double *height;
+  bool recombine;
+} Layers;
+
+typedef struct {
+  int tag;
+  CurveType type;
+  int *point;             // control point tags, npoint of them
+  int npoint;
+  int begin, end;         // point tags
+  double *knot;           // CURVE_NURBS
+  int nknot;
+  bool has_plane;         // Circle/Ellipse ... Plane {n}
+  Vec3 plane;
+  SrcLoc loc;
+
+  // how to mesh it
+  int transfinite;        // number of nodes, ends included; 0: by size
+  TransfiniteLaw law;
+  double coef;            // ratio, bump or beta; applies from begin to end
+  int periodic_master;    // signed tag of the curve whose mesh is copied; 0: none
+  bool has_affine;        // periodic by this map (row-major 4x4) from master to this
+  double affine[16];
+  int copy_of;            // signed tag of the curve whose mesh an extrusion with Layers copies here; 0: none
+  int extruded_point;     // point tag swept to make this curve, 0: none; then `layers` may prescribe its nodes
+  Layers layers;
+  int compound;           // > 0: member of the compound curve of this index (Compound Curve {...})
+  bool reverse_mesh;      // Reverse Curve
+  bool degenerate;
+  void *shape;            // evaluation data of curve_*.c, made by model_prepare
+} Curve;
+
+typedef struct {
+  int tag;
+  int *curve;             // signed curve tags, ncurve of them, head to tail after model_prepare
+  int ncurve;
+  SrcLoc loc;
+} Loop;
+
+typedef enum { FACE_PLANE, FACE_FILLING } FaceType; // Plane Surface; 3/4-sided Surface (Coons)
+
+typedef enum {
+  ARRANGE_LEFT, ARRANGE_RIGHT, ARRANGE_ALTERNATE_RIGHT, ARRANGE_ALTERNATE_LEFT
+} TransfiniteArrangement;
+
+typedef struct {
+  int tag;
+  FaceType type;
+  int *loop;              // signed loop tags (as written), nloop of them; a negative outer loop reverses the face
+  int nloop;
+  SrcLoc loc;
+
+  // how to mesh it
+  bool transfinite;
+  int corner[4], ncorner; // point tags; 0: default
+  TransfiniteArrangement arrangement;
+  int smoother;           // Smoother Surface: elliptic iterations, 0: option
+  bool recombine;
+  double recombine_angle; // degrees, default 45
+  int algorithm;          // Mesh.Algorithm for this face, 0: the option's
+  int size_from_boundary; // MeshSizeFromBoundary: 0, 1, or -1 for the option's
+  int extruded_curve;     // signed tag of the curve swept to make this face, 0: none; with `layers`
+  int extruded_side[2];   // signed tags of the curves swept by its begin and end point (0: degenerate)
+  int extruded_top;       // tag of the copy of extruded_curve at the far end
+  Layers layers;
+  int periodic_master;
+  int compound;
+  bool reverse_mesh;      // Reverse Surface
+  IntVec embedded_points, embedded_curves;
+
+  // geometry, made by model_prepare
+  Vec3 origin, axis_u, axis_v, normal; // orthonormal frame of the face's plane; (0,0,0),x,y,z when it lies in z = 0
+                                       // (a clockwise outer loop there has normal -z, axis_u = x and axis_v = -y)
+  bool planar;            // all boundary points are in that plane within Geometry.Tolerance
+} Face;
+
+// A physical group. Its tag space is per dimension. name is NULL when it has none.
+typedef struct {
+  int dim, tag;
+  char *name;
+  IntVec entity;          // tags, negative where the user wrote so (elements reversed on saving)
+  SrcLoc loc;
+} Group;
+
+typedef struct Model Model;
+
+// ---- life -------------------------------------------------------------------------------------------------------
+Model *model_new(void);
+void model_free(Model *m);
+// Curve `shape`s, face frames, planarity, loops sorted and closed, groups checked: everything the mesher needs. To be called
+// after the last change and before evaluating curves; errors (open loop with the gap's coordinates, unknown entities,
+// arcs that are none, ...) are reported with the statement's place. tolerance: Geometry.Tolerance. Returns false if there
+// was an error. O(n log n). May be called again after further changes.
+bool model_prepare(Model *m, double tolerance, Diag *diag);
+
+// ---- reading ------------------------------------------------------------------------------------------------------
+// All entities of a kind in ascending order of tag: n and the k-th. Pointers stay valid until the next change of the model.
+size_t model_points(const Model *m);
+Point *model_point_at(const Model *m, size_t k);
+size_t model_curves(const Model *m);
+Curve *model_curve_at(const Model *m, size_t k);
+size_t model_loops(const Model *m);
+Loop *model_loop_at(const Model *m, size_t k);
+size_t model_faces(const Model *m);
+Face *model_face_at(const Model *m, size_t k);
+// By tag; sign ignored. NULL if there is none. O(1).
+Point *model_point(const Model *m, int tag);
+Curve *model_curve(const Model *m, int tag);
+Loop *model_loop(const Model *m, int tag);
+Face *model_face(const Model *m, int tag);
+// Groups ordered by (dim, tag).
+size_t model_groups(const Model *m);
+Group *model_group_at(const Model *m, size_t k);
+Group *model_group(const Model *m, int dim, int tag);
+
+// Bounding box of all geometry (points used by nothing included), as Gmsh takes it for its default size; empty if no entity.
+Box3 model_bounds(const Model *m);
+
+// Signed curve tags of a face: outer loop first, each loop as sorted and with the outer loop's sign applied. The arrays belong
+// to the caller (vec_free). `start` gets the index at which each loop begins, nloop+1 entries.
+void face_boundary(const Model *m, const Face *f, IntVec *curve, IntVec *start);
+
+// ---- curves as maps from u in [0,1] (curve.c) ----------------------------------------------------------------------
+// Position and derivatives with respect to u. Exact formulas; O(1) after model_prepare (Bezier O(n)). At u = 0 and 1 the
+// position is the end points' own, bit for bit.
+Vec3 curve_point(const Model *m, const Curve *c, double u);
+Vec3 curve_deriv(const Model *m, const Curve *c, double u);
+Vec3 curve_deriv2(const Model *m, const Curve *c, double u);
+double curve_curvature(const Model *m, const Curve *c, double u); // |x' x x''| / |x'|^3, 0 where x' = 0
+double curve_length(const Model *m, const Curve *c);              // to 1e-12 relative or better
+Box3 curve_bounds(const Model *m, const Curve *c);                // exact up to rounding
+// Parameter of the point of c nearest to p (global minimum to 1e-12 of the curve's length).
+double curve_nearest(const Model *m, const Curve *c, Vec3 p);
+// True when the curve is one straight segment, whatever its type.
+bool curve_is_straight(const Model *m, const Curve *c);
+double curve_angle(const Model *m, const Curve *c); // of circle and ellipse arcs, radians; 0 for others
+
+// ---- the plane of a face ---------------------------------------------------------------------------------------------
+static inline Vec2 face_to_plane(const Face *f, Vec3 p)
+{
+  Vec3 d = vec3_sub(p, f->origin);
+  return (Vec2){vec3_dot(d, f->axis_u), vec3_dot(d, f->axis_v)};
+}
+static inline Vec3 face_from_plane(const Face *f, Vec2 q)
+{
+  return vec3_add(f->origin, vec3_add(vec3_scale(q.x, f->axis_u), vec3_scale(q.y, f->axis_v)));
+}
+
+#endif
