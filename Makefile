@@ -98,5 +98,84 @@ $(B)/unit/%: tests/unit/%.cc $(LIB)
 ## unit: build the unit tests of this CONFIG
 unit: $(UNIT)
 
+
+# ---- what people type ---------------------------------------------------------------------------------------------
+# The package list decides flags (pkg-config), so installing comes first and the build is a second make.
+.PHONY: demo run-demo
+## demo: install what is missing, build, mesh geo/conge.geo to conge.msh, .vtk, .svg and .png, print the report
+demo:
+	$(Q)sh tests/install-packages.sh build
+	$(Q)$(MAKE) --no-print-directory run-demo
+
+run-demo: meshgen
+	./meshgen -2 geo/conge.geo -o conge.msh -o conge.vtk -o conge.svg -o conge.png
+
+.PHONY: check run-check
+## check: install what the tests need, build everything, run all tests (last line: N passed, N failed)
+check:
+	$(Q)sh tests/install-packages.sh build test
+	$(Q)$(MAKE) --no-print-directory run-check
+
+run-check: all unit
+	$(Q)tests/run.sh all
+
+.PHONY: check-asan check-stress
+## check-asan: unit and script tests under address and undefined-behaviour sanitizers
+check-asan:
+	$(Q)sh tests/install-packages.sh build test asan
+	$(Q)$(MAKE) --no-print-directory CONFIG=asan all unit
+	$(Q)CONFIG=asan tests/run.sh quick
+
+## check-stress: the same in the stress build (arrays that always move, validators after every change)
+check-stress:
+	$(Q)sh tests/install-packages.sh build test
+	$(Q)$(MAKE) --no-print-directory CONFIG=stress all unit
+	$(Q)CONFIG=stress tests/run.sh quick
+
+.PHONY: check-layers check-headers style metrics coverage
+## check-layers: which folder includes which, against the table of docs/architecture.md
+check-layers:
+	$(Q)sh tests/check-layers.sh
+
+## check-headers: every header compiles alone, as C and as C++
+check-headers:
+	$(Q)for h in src/*/*.h; do \
+	  echo "#include \"$${h#src/}\"" | $(CC) $(filter-out -MMD -MP,$(CFLAGS_ALL)) -fsyntax-only -x c - || exit 1; done; \
+	echo "all headers compile alone"
+
+## style: what clang-format would change (a place to look, not a verdict)
+style:
+	$(Q)clang-format --dry-run src/*/*.c src/*/*.h 2>&1 | grep -c warning: || true
+
+## metrics: the longest files and functions
+metrics:
+	$(Q)wc -l src/*/*.[ch]* | sort -n | tail -15
+
+## coverage: line coverage of the unit and script tests (gcovr)
+coverage:
+	$(Q)$(MAKE) --no-print-directory CONFIG=cov all unit
+	$(Q)CONFIG=cov tests/run.sh quick
+	$(Q)gcovr -r . --object-directory build/cov src 2>/dev/null | tail -40
+
+# ---- installing ---------------------------------------------------------------------------------------------------
+.PHONY: install uninstall clean help
+## install: program and manual page under prefix (DESTDIR is honoured)
+install: all
+	install -d $(DESTDIR)$(bindir) $(DESTDIR)$(mandir)/man1
+	install -m 755 $(PROGRAM) $(DESTDIR)$(bindir)/meshgen
+	install -m 644 meshgen.1 $(DESTDIR)$(mandir)/man1/meshgen.1
+
+## uninstall: remove what install put there
+uninstall:
+	rm -f $(DESTDIR)$(bindir)/meshgen $(DESTDIR)$(mandir)/man1/meshgen.1
+
+## clean: remove all that was built
+clean:
+	rm -rf build meshgen
+
+## help: this list. CONFIG=release|debug|asan|stress|cov, V=1, DEVELOPER=1 (-Werror), MARCH=-march=native
+help:
+	$(Q)sed -n 's/^## //p' $(MAKEFILE_LIST) | sort
+
 -include $(OBJ:.o=.d) $(UNIT:%=%.d)
 -include $(wildcard tests/bench/*.mk)
