@@ -61,14 +61,13 @@ typedef struct {
   TransfiniteLaw law;
   double coef;            // ratio, bump or beta; applies from begin to end
   int periodic_master;    // signed tag of the curve whose mesh is copied; 0: none
-  bool has_affine;        // periodic by this map (row-major 4x4) from master to this
-  double affine[16];
+  const double *affine;   // periodic by this map (row-major 4x4) from master to this; NULL: by parameter
   int copy_of;            // signed tag of the curve whose mesh an extrusion with Layers copies here; 0: none
   int extruded_point;     // point tag swept to make this curve, 0: none; then `layers` may prescribe its nodes
   Layers layers;
   int compound;           // > 0: member of the compound curve of this index (Compound Curve {...})
   bool reverse_mesh;      // Reverse Curve
-  bool degenerate;
+  bool degenerate;        // Degenerated Curve
   void *shape;            // evaluation data of curve_*.c, made by model_prepare
 } Curve;
 
@@ -158,8 +157,9 @@ Group *model_group(const Model *m, int dim, int tag);
 // Bounding box of all geometry (points used by nothing included), as Gmsh takes it for its default size; empty if no entity.
 Box3 model_bounds(const Model *m);
 
-// Signed curve tags of a face: outer loop first, each loop as sorted and with the outer loop's sign applied. The arrays belong
-// to the caller (vec_free). `start` gets the index at which each loop begins, nloop+1 entries.
+// Signed curve tags of a face: outer loop first, each loop as sorted and with its sign applied. The arrays belong to the
+// caller (vec_free). `start` gets the index at which each closed loop begins and the total: start.len - 1 closed loops (more
+// than nloop where one Loop lists several closed ones; then the one around the others comes first).
 void face_boundary(const Model *m, const Face *f, IntVec *curve, IntVec *start);
 
 // ---- curves as maps from u in [0,1] (curve.c) ----------------------------------------------------------------------

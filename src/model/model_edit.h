@@ -1,0 +1,139 @@
+// model_edit.h - changing the model: what the statements of a script do to it
+// SPDX-License-Identifier: MIT
+//
+// Tags come out as Gmsh gives them, since scripts rely on them. Every change takes the place of the statement and reports
+// the user's mistakes there; it returns false (or 0) after an error, and the model is as before. What was refused is
+// remembered, so that statements that mention it later are refused without a second message.
+#ifndef MODEL_MODEL_EDIT_H
+#define MODEL_MODEL_EDIT_H
+
+#include "model/model.h"
+
+// ---- settings: the Geometry.* options that change what statements do; the caller sets them as the script does --------
+typedef struct {
+  double tolerance;        // Geometry.Tolerance, 1e-8; coincidence of points for coherence
+  int auto_coherence;      // Geometry.AutoCoherence, 1: coherence after every transform and extrusion
+  bool old_newreg;         // Geometry.OldNewReg, 1: one number series for curves, loops, faces, ... and groups
+  bool copy_meshing;       // Geometry.CopyMeshingMethod, 0: Duplicata copies mesh attributes
+  bool return_lateral;     // Geometry.ExtrudeReturnLateralEntities, 1
+  int spline_points;       // Geometry.ExtrudeSplinePoints, 5
+  bool opencascade;        // SetFactory("OpenCASCADE"): tags count per dimension, no coherence after transforms
+} ModelSettings;
+ModelSettings *model_settings(Model *m);
+
+// ---- lists of shapes --------------------------------------------------------------------------------------------------
+typedef struct {
+  int dim, tag; // dim 0..3; a curve's or face's tag may be negative where orientation matters
+} Shape;
+typedef Vec(Shape) ShapeVec;
+
+// Append all tags of a dimension (0..3) in ascending order: `Curve{:}`.
+void model_all(const Model *m, int dim, IntVec *out);
+bool model_has(const Model *m, int dim, int tag); // sign ignored
+
+// ---- tags ---------------------------------------------------------------------------------------------------------------
+typedef enum { KIND_POINT, KIND_CURVE, KIND_LOOP, KIND_FACE, KIND_SURFACE_LOOP, KIND_VOLUME, KIND_GROUP, KIND_COUNT } Kind;
+int model_max_tag(const Model *m, Kind k);
+void model_set_max_tag(Model *m, Kind k, int tag); // SetMaxTag
+// newp, newc, newll, news, newsl, newv; KIND_GROUP: newreg. By settings.old_newreg.
+int model_new_tag(const Model *m, Kind k);
+
+// ---- making -------------------------------------------------------------------------------------------------------------
+// The tag given must be >= 0 and new, or -1 for the next one. They return the tag, or -1 after an error.
+int model_add_point(Model *m, int tag, Vec3 xyz, double lc, SrcLoc loc, Diag *diag); // lc <= 0: none
+// type as written: CURVE_LINE with more than 2 points becomes CURVE_POLYLINE; CURVE_ELLIPSE with 3 points has its start on the
+// major axis. plane: NULL, or the normal of `Plane {..}`. knot: only for CURVE_NURBS.
+int model_add_curve(Model *m, CurveType type, int tag, const int *point, size_t npoint, const Vec3 *plane,
+                    const double *knot, size_t nknot, SrcLoc loc, Diag *diag);
+// Compound Spline|BSpline(tag) = {curves} Using n: a spline through n samples a curve (adds the points).
+int model_add_compound_spline(Model *m, CurveType type, int tag, const int *curve, size_t ncurve, int samples, SrcLoc loc,
+                              Diag *diag);
+// Curves may be listed in any order, and may be made after the loop (an unknown one is an error once a face uses the loop).
+int model_add_loop(Model *m, int tag, const int *curve, size_t ncurve, SrcLoc loc, Diag *diag);
+int model_add_face(Model *m, FaceType type, int tag, const int *loop, size_t nloop, SrcLoc loc, Diag *diag);
+// Three-dimensional things: kept for tags, boundaries and groups; never meshed.
+int model_add_surface_loop(Model *m, int tag, const int *face, size_t nface, SrcLoc loc, Diag *diag);
+int model_add_volume(Model *m, int tag, const int *surface_loop, size_t n, SrcLoc loc, Diag *diag);
+size_t model_volumes(const Model *m);
+
+// ---- physical groups ---------------------------------------------------------------------------------------------------
+typedef enum { GROUP_SET, GROUP_ADD, GROUP_REMOVE } GroupOp;
+// Physical Point|Curve|Surface|Volume (dim 0..3) of `tag` (or -1 with a name: the group of that name, or a new one) =, +=, -= a list of
+// signed tags. name may be NULL. Returns the tag, or -1 after an error. Unknown members are reported by model_prepare.
+int model_group_edit(Model *m, int dim, int tag, const char *name, GroupOp op, const int *entity, size_t n, SrcLoc loc,
+                     Diag *diag);
+// Members of a group, `Physical Curve{3}` as a list or in a list of shapes; false if there is no such group.
+bool model_group_members(const Model *m, int dim, int tag, IntVec *out);
+void model_delete_groups(Model *m);                       // Delete Physicals
+void model_set_name(Model *m, int dim, int tag, const char *name); // SetName / elementary names, kept for the writers
+const char *model_name(const Model *m, int dim, int tag); // NULL if none
+
+// ---- transforms ---------------------------------------------------------------------------------------------------------
+typedef struct {
+  double m[16]; // row-major 4x4, last row 0 0 0 1
+} Affine;
+Affine affine_translation(Vec3 d);
+Affine affine_rotation(Vec3 axis, Vec3 centre, double angle); // right-handed; axis need not be of unit length
+Affine affine_symmetry(double a, double b, double c, double d); // at the plane ax + by + cz + d = 0
+Affine affine_dilation(Vec3 centre, Vec3 factor);
+Vec3 affine_apply(const Affine *a, Vec3 p);
+// Move the points under the shapes, each once; then coherence (settings). Linear in the shapes, plus coherence's n log n.
+bool model_transform(Model *m, const Shape *shape, size_t n, const Affine *a, SrcLoc loc, Diag *diag);
+// Duplicata: append the copies to out, in order. No coherence.
+bool model_duplicate(Model *m, const Shape *shape, size_t n, ShapeVec *out, SrcLoc loc, Diag *diag);
+// Merge equal points, curves, faces; the lowest tag survives, also in groups. O(n log n).
+void model_coherence(Model *m, Diag *diag);
+
+// ---- extrusion -----------------------------------------------------------------------------------------------------------
+typedef struct {
+  bool translate, rotate; // both: a screw; neither: along the normals (boundary layer), which is refused
+  Vec3 shift;
+  Vec3 axis, centre;      // of the rotation
+  double angle;
+  Layers layers;          // n == 0: geometry only; copied
+} Sweep;
+// Append what Gmsh's Extrude returns: per shape its copy, the swept body, and (settings) the lateral ones.
+bool model_extrude(Model *m, const Shape *shape, size_t n, const Sweep *sweep, ShapeVec *out, SrcLoc loc, Diag *diag);
+
+// ---- deleting, splitting ---------------------------------------------------------------------------------------------------
+// What higher entities use stays, silently, and unknown tags are ignored, as in Gmsh. recursive: boundaries too.
+void model_delete(Model *m, const Shape *shape, size_t n, bool recursive);
+void model_delete_all(Model *m); // Delete Model / Delete All: everything but the settings
+// Split Curve {tag} Point {p..}: new curves, appended to out; loops and groups follow.
+bool model_split_curve(Model *m, int tag, const int *point, size_t n, IntVec *out, SrcLoc loc, Diag *diag);
+
+// ---- queries ---------------------------------------------------------------------------------------------------------------
+// Boundary / CombinedBoundary of shapes. oriented: with signs (Gmsh before 4.15, and OrientedBoundary).
+bool model_boundary(const Model *m, const Shape *shape, size_t n, bool combined, bool oriented, ShapeVec *out, SrcLoc loc,
+                    Diag *diag);
+bool model_points_of(const Model *m, const Shape *shape, size_t n, ShapeVec *out, SrcLoc loc, Diag *diag);
+// Tags of a dimension whose bounding box lies in the closed box, ascending: `Curve In BoundingBox{..}`.
+void model_in_box(Model *m, int dim, Box3 box, IntVec *out);
+// Box around shapes; empty if they are none. False (reported) if one does not exist.
+bool model_box_of(Model *m, const Shape *shape, size_t n, Box3 *box, SrcLoc loc, Diag *diag);
+
+// ---- mesh attributes of entities; unknown tags give one warning a statement ---------------------------------------------------
+void model_set_size(Model *m, const int *point, size_t n, double lc); // MeshSize {..} = lc; unknown points are ignored
+// A negative curve tag inverts a progression or beta. nodes < 2 counts as 2.
+bool model_set_transfinite_curve(Model *m, const int *curve, size_t n, int nodes, TransfiniteLaw law, double coef, SrcLoc loc,
+                                 Diag *diag);
+bool model_set_transfinite_face(Model *m, const int *face, size_t n, const int *corner, size_t ncorner,
+                                TransfiniteArrangement arrangement, SrcLoc loc, Diag *diag);
+bool model_set_recombine(Model *m, const int *face, size_t n, double angle, SrcLoc loc, Diag *diag); // degrees
+bool model_set_smoother(Model *m, const int *face, size_t n, int iterations, SrcLoc loc, Diag *diag);
+bool model_set_algorithm(Model *m, const int *face, size_t n, int algorithm, SrcLoc loc, Diag *diag);
+bool model_set_size_from_boundary(Model *m, const int *face, size_t n, int value, SrcLoc loc, Diag *diag);
+bool model_set_reverse(Model *m, int dim, const int *tag, size_t n, SrcLoc loc, Diag *diag); // Reverse Curve|Surface
+bool model_set_degenerate(Model *m, const int *curve, size_t n, SrcLoc loc, Diag *diag);
+bool model_set_compound(Model *m, int dim, const int *tag, size_t n, SrcLoc loc, Diag *diag); // Compound Curve|Surface {..}
+// Periodic Curve {slave} = {master}, signed tags; affine NULL: by parameter.
+bool model_set_periodic_curves(Model *m, const int *slave, const int *master, size_t n, const Affine *affine, SrcLoc loc,
+                               Diag *diag);
+// Periodic Surface slave {..} = master {..}; edges may be empty.
+bool model_set_periodic_face(Model *m, int slave, int master, const int *slave_edge, const int *master_edge, size_t n,
+                             const Affine *affine, SrcLoc loc, Diag *diag);
+// Point|Curve {..} In Surface {face}.
+bool model_embed(Model *m, int dim, const int *tag, size_t n, int face, SrcLoc loc, Diag *diag);
+void model_delete_embedded(Model *m, const int *face, size_t n);
+
+#endif
