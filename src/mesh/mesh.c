@@ -153,3 +153,10 @@ size_t mesh_count_type(const Mesh *m, ElemType t)
     if (m->block[i].type == t) n += m->block[i].n;
   return n;
 }
+
+bool mesh_is_grouped(const Mesh *m)
+{
+  for (size_t i = 0; i < m->nentity; i++)
+    if (m->entity[i].physical.len) return true;
+  return false;
+}

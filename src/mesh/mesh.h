@@ -93,6 +93,8 @@ uint32_t mesh_find_entity(const Mesh *m, int dim, int tag); // index or NONE; O(
 const MeshGroup *mesh_find_group(const Mesh *m, int dim, int tag);
 size_t mesh_count(const Mesh *m, int dim);                  // elements of a dimension
 size_t mesh_count_type(const Mesh *m, ElemType t);
+// True if some entity is in a physical group: then only elements of such entities are saved, unless all are asked for.
+bool mesh_is_grouped(const Mesh *m);
 static inline Vec3 mesh_xyz(const Mesh *m, uint32_t n)
 {
   return (Vec3){m->xyz[3 * (size_t)n], m->xyz[3 * (size_t)n + 1], m->xyz[3 * (size_t)n + 2]};

@@ -1,0 +1,107 @@
+// formats.c - the table of file formats: finding one by name or extension, writing and reading meshes
+// SPDX-License-Identifier: MIT
+#include "base/base.h"
+
+#include "out/formats.h"
+
+#include <errno.h>
+#include <strings.h>
+
+#include "out/out_int.h"
+
+// Several names may share an extension: the first row that has it is taken.
+static const Format table[] = {
+    {.name = "msh", .extensions = "msh", .help = "MSH 4.1, ASCII or binary", .flags = FORMAT_ORPHANS, .write = msh4__write},
+    {.name = "msh4", .extensions = "msh4", .help = "the same", .flags = FORMAT_ORPHANS, .write = msh4__write},
+    {.name = "msh41", .extensions = "msh41", .help = "the same", .flags = FORMAT_ORPHANS, .write = msh4__write},
+    {.name = "msh2", .extensions = "msh2", .help = "MSH 2.2, ASCII or binary", .write = msh2__write},
+    {.name = "msh22", .extensions = "msh22", .help = "the same", .write = msh2__write},
+    {.name = "msh1", .extensions = "msh1", .help = "MSH 1", .write = msh1__write},
+    {.name = "vtk", .extensions = "vtk", .help = "legacy VTK, ASCII or binary", .write = vtk__write, .refuses = vtk__refuses},
+    {.name = "png", .extensions = "png", .help = "picture of the mesh", .flags = FORMAT_ALL, .write = png__write},
+    {.name = "svg", .extensions = "svg", .help = "picture of the mesh", .flags = FORMAT_ALL, .write = svg__write},
+    {.name = "pdf", .extensions = "pdf", .help = "picture of the mesh", .flags = FORMAT_ALL, .write = pdf__write},
+};
+
+const Format *format_at(size_t k) { return k < ARRAY_LEN(table) ? &table[k] : NULL; }
+const char *format_name(const Format *f) { return f->name; }
+const char *format_help(const Format *f) { return f->help; }
+bool format_writes(const Format *f) { return f->write || f->write_files; }
+bool format_reads(const Format *f) { return f->read || f->read_files; }
+
+const Format *format_find(const char *name)
+{
+  for (size_t i = 0; i < ARRAY_LEN(table); i++)
+    if (strcasecmp(table[i].name, name) == 0) return &table[i];
+  return NULL;
+}
+
+static bool has_word(const char *words, const char *word)
+{
+  size_t n = strlen(word);
+  for (const char *p = words; *p;) {
+    size_t len = strcspn(p, " ");
+    if (len == n && strncasecmp(p, word, n) == 0) return true;
+    p += len + (p[len] == ' ');
+  }
+  return false;
+}
+
+const Format *format_of_path(const char *path)
+{
+  const char *slash = strrchr(path, '/'), *dot = strrchr(slash ? slash : path, '.');
+  if (!dot || !dot[1]) return NULL;
+  for (size_t i = 0; i < ARRAY_LEN(table); i++)
+    if (has_word(table[i].extensions, dot + 1)) return &table[i];
+  return NULL;
+}
+
+// The format asked for, or NULL after an error.
+static const Format *choose(const char *path, const char *format, Diag *d)
+{
+  bool automatic = !format || !*format || strcasecmp(format, "auto") == 0;
+  const Format *f = automatic ? format_of_path(path) : format_find(format);
+  if (!f && automatic && strcmp(path, "-") == 0) return format_find("msh");
+  if (!f && automatic)
+    diag_error(d, NO_LOC, "'%s': no format has this extension (name one with -format)", path);
+  else if (!f)
+    diag_error(d, NO_LOC, "unknown mesh format '%s'", format);
+  return f;
+}
+
+static int write_file(const Format *f, const Selection *s, const char *path, const OutOptions *o)
+{
+  if (f->write_files) return f->write_files(path, s, o);
+  Writer *w = writer_open(path);
+  if (!w) return errno;
+  f->write(w, s, o);
+  return writer_close(w);
+}
+
+ExitCode out_write(const Mesh *m, const char *path, const char *format, const OutOptions *o, Diag *d)
+{
+  const Format *f = choose(path, format, d);
+  if (!f) return EXIT_USAGE;
+  if (!format_writes(f)) {
+    diag_error(d, NO_LOC, "format %s can be read, not written", f->name);
+    return EXIT_USAGE;
+  }
+  OutOptions options = *o;
+  if (f->flags & FORMAT_ALL) options.save_all = true;
+  Selection s;
+  select__make(&s, m, &options, f->flags & FORMAT_ORPHANS);
+  const char *why = f->refuses ? f->refuses(&s) : NULL;
+  ExitCode status = EXIT_GOOD;
+  if (why) {
+    diag_error(d, NO_LOC, "%s: %s", path, why);
+    status = EXIT_INPUT;
+  } else {
+    int error = write_file(f, &s, path, &options);
+    if (error) {
+      diag_error(d, NO_LOC, "%s: %s", path, strerror(error));
+      status = EXIT_ENVIRONMENT;
+    }
+  }
+  select__free(&s);
+  return status;
+}

@@ -1,0 +1,58 @@
+// formats.h - the table of file formats: finding one by name or extension, writing and reading meshes
+// SPDX-License-Identifier: MIT
+#ifndef OUT_FORMATS_H
+#define OUT_FORMATS_H
+
+#include "base/base.h"
+#include "base/diag.h"
+#include "mesh/mesh.h"
+
+typedef enum { PICTURE_BY_GROUP, PICTURE_BY_GAMMA, PICTURE_BY_ANGLE, PICTURE_BY_ETA } PictureColor;
+
+// What the options say about writing. Zero is a good default for every member.
+typedef struct {
+  bool binary;               // where the format has a binary variant
+  bool save_all;             // elements that are in no physical group too
+  bool save_parametric;      // parameters of nodes on curves (MSH)
+  double scaling;            // of written coordinates; 0 means 1
+  uint64_t first_node, first_element; // smallest numbers; 0 means 1
+  int element_tag;           // for formats with one tag: 0, 1 elementary, 2 physical
+  bool groups_of_nodes;      // node sets beside element sets (inp, unv)
+  bool no_groups_of_elements;// leave out element sets (inp, unv)
+  int stl_solids;            // 0 one solid, 1 one per face, 2 one per group
+  const char *title;         // line of text in formats that have one; NULL for the program's name
+  int threads;               // as for thread_for; never changes a byte
+  // pictures
+  PictureColor color;
+  int width;                 // pixels; 0 means 1400
+  int mark_worst;            // elements of least quality to mark with a ring
+  bool histogram;            // of the coloured measure, at the right
+} OutOptions;
+
+typedef struct Format Format;
+
+// By name ("msh2", "vtk", ...), case-insensitive, or by the extension of a path; NULL if there is none.
+const Format *format_find(const char *name);
+const Format *format_of_path(const char *path);
+const char *format_name(const Format *f);
+const char *format_help(const Format *f); // one line
+bool format_writes(const Format *f);
+bool format_reads(const Format *f);
+// The k-th row of the table, NULL after the last one.
+const Format *format_at(size_t k);
+
+// Write the part of m that the saving rule selects. format: a name, or NULL or "auto" for the path's extension. Path "-"
+// is standard output. What goes wrong is reported to d: EXIT_USAGE for an unknown format, EXIT_ENVIRONMENT for what the
+// system refuses, EXIT_INPUT when the mesh cannot be said in that format; then the target is as it was.
+ExitCode out_write(const Mesh *m, const char *path, const char *format, const OutOptions *o, Diag *d);
+
+// Warn, once, of surface elements (or curve elements of a mesh without surfaces) that the saving rule drops.
+void out_warn_dropped(const Mesh *m, const OutOptions *o, Diag *d);
+
+// Read a mesh: format as for out_write, told from the contents when the extension does not say. NULL after an error that
+// gives line or byte offset. *status (may be NULL) gets EXIT_ENVIRONMENT or EXIT_INPUT then. The caller frees with mesh_free.
+Mesh *out_read(const char *path, const char *format, Diag *d, ExitCode *status);
+// The same from memory; name is for messages.
+Mesh *out_read_memory(const char *text, size_t len, const char *name, const char *format, Diag *d);
+
+#endif

@@ -1,0 +1,248 @@
+// msh4.c - writer of MSH 4.1, ASCII and binary
+// SPDX-License-Identifier: MIT
+//
+// Elements keep their entity's orientation; a group's sign stands in $Entities. One block per entity (nodes) and per
+// entity and type (elements); numbers are consecutive in both.
+#include "base/base.h"
+
+#include "out/out_int.h"
+
+// One number in either encoding. In ASCII every number is followed by a blank except where end_line follows.
+typedef struct {
+  Writer *w;
+  bool binary, first;
+} Enc;
+
+static void blank(Enc *e)
+{
+  if (!e->first) writer_char(e->w, ' ');
+  e->first = false;
+}
+
+static void put_int(Enc *e, int v)
+{
+  const int32_t b = v;
+  if (e->binary) {
+    writer_bytes(e->w, &b, sizeof b);
+    return;
+  }
+  blank(e);
+  writer_i64(e->w, v);
+}
+
+static void put_size(Enc *e, uint64_t v)
+{
+  if (e->binary) {
+    writer_bytes(e->w, &v, sizeof v);
+    return;
+  }
+  blank(e);
+  writer_u64(e->w, v);
+}
+
+static void put_real(Enc *e, double v)
+{
+  if (e->binary) {
+    writer_bytes(e->w, &v, sizeof v);
+    return;
+  }
+  blank(e);
+  writer_double(e->w, v);
+}
+
+static void put_vec(Enc *e, Vec3 v)
+{
+  put_real(e, v.x);
+  put_real(e, v.y);
+  put_real(e, v.z);
+}
+
+static void end_line(Enc *e)
+{
+  if (!e->binary) writer_char(e->w, '\n');
+  e->first = true;
+}
+
+static void put_tags(Enc *e, const IntVec *a, const IntVec *b, int offset)
+{
+  put_size(e, a->len + (b ? b->len : 0));
+  for (size_t i = 0; i < a->len; i++) put_int(e, a->data[i]);
+  for (size_t i = 0; b && i < b->len; i++) put_int(e, b->data[i] + offset);
+}
+
+static void write_entity(Enc *e, const Selection *s, const MeshEntity *t, int largest_curve)
+{
+  bool empty = !(t->lo.x <= t->hi.x);
+  Vec3 lo = empty ? (Vec3){0, 0, 0} : vec3_scale(s->scale, t->lo), hi = empty ? lo : vec3_scale(s->scale, t->hi);
+  put_int(e, t->tag);
+  put_vec(e, s->scale < 0 && t->dim ? hi : lo);
+  if (t->dim) put_vec(e, s->scale < 0 ? lo : hi);
+  put_tags(e, &t->physical, NULL, 0);
+  // Embedded curves follow the boundary, their tags raised by the largest curve tag, as Gmsh has it.
+  if (t->dim) put_tags(e, &t->boundary, t->dim == 2 ? &t->embedded : NULL, largest_curve);
+  end_line(e);
+}
+
+static void write_entities(Enc *e, const Selection *s)
+{
+  const Mesh *m = s->mesh;
+  size_t count[3] = {0, 0, 0};
+  int largest_curve = 0;
+  for (size_t i = 0; i < m->nentity; i++) {
+    count[m->entity[i].dim]++;
+    if (m->entity[i].dim == 1) largest_curve = MAX(largest_curve, m->entity[i].tag);
+  }
+  writer_str(e->w, "$Entities\n");
+  for (int d = 0; d < 3; d++) put_size(e, count[d]);
+  put_size(e, 0);
+  end_line(e);
+  for (size_t i = 0; i < m->nentity; i++) write_entity(e, s, &m->entity[i], largest_curve);
+  writer_str(e->w, e->binary ? "\n$EndEntities\n" : "$EndEntities\n");
+}
+
+// Nodes from..to-1 of the selection are those of one entity.
+static void write_node_block(Enc *e, const Selection *s, size_t from, size_t to, bool parametric)
+{
+  const Mesh *m = s->mesh;
+  const MeshEntity *t = &m->entity[m->node_entity[s->node[from]]];
+  bool u = parametric && t->dim == 1;
+  for (size_t k = from; u && k < to; k++) u = !isnan(m->node_u[s->node[k]]);
+  put_int(e, t->dim);
+  put_int(e, t->tag);
+  put_int(e, u);
+  put_size(e, to - from);
+  end_line(e);
+  for (size_t k = from; k < to; k++) {
+    uint64_t tag = k + s->node0;
+    char *p0 = writer_reserve(e->w, 32), *p = p0;
+    if (e->binary)
+      p = (char *)memcpy(p, &tag, 8) + 8;
+    else
+      p = put_char(put_u64(p, tag), '\n');
+    writer_commit(e->w, (size_t)(p - p0));
+  }
+  for (size_t k = from; k < to; k++) {
+    double x[4] = {select__xyz(s, k).x, select__xyz(s, k).y, select__xyz(s, k).z, m->node_u[s->node[k]]};
+    char *p0 = writer_reserve(e->w, 4 * NUMBER_MAX_TEXT + 4), *p = p0;
+    if (e->binary)
+      p = (char *)memcpy(p, x, (u ? 4 : 3) * sizeof *x) + (u ? 4 : 3) * sizeof *x;
+    else
+      for (int i = 0; i < (u ? 4 : 3); i++) p = put_char(put_double(p, x[i]), i == (u ? 3 : 2) ? '\n' : ' ');
+    writer_commit(e->w, (size_t)(p - p0));
+  }
+}
+
+static void write_nodes(Enc *e, const Selection *s, bool parametric)
+{
+  const uint32_t *owner = s->mesh->node_entity;
+  size_t blocks = 0;
+  for (size_t k = 0; k < s->nnode; k++) blocks += k == 0 || owner[s->node[k]] != owner[s->node[k - 1]];
+  writer_str(e->w, "$Nodes\n");
+  put_size(e, blocks);
+  put_size(e, s->nnode);
+  put_size(e, s->node0);
+  put_size(e, s->node0 + s->nnode - 1);
+  end_line(e);
+  for (size_t from = 0, to; from < s->nnode; from = to) {
+    for (to = from + 1; to < s->nnode && owner[s->node[to]] == owner[s->node[from]];) to++;
+    write_node_block(e, s, from, to, parametric);
+  }
+  writer_str(e->w, e->binary ? "\n$EndNodes\n" : "$EndNodes\n");
+}
+
+static void write_block(Enc *e, const Selection *s, const MeshBlock *k, uint64_t number)
+{
+  const MeshEntity *t = &s->mesh->entity[k->entity];
+  int nodes = elem_nodes(k->type);
+  put_int(e, t->dim);
+  put_int(e, t->tag);
+  put_int(e, (int)k->type);
+  put_size(e, k->n);
+  end_line(e);
+  const uint32_t *node = k->node;
+  for (size_t i = 0; i < k->n; i++, node += nodes) {
+    char *p0 = writer_reserve(e->w, 22 * (ELEM_MAX_NODES + 1)), *p = p0;
+    if (e->binary) {
+      uint64_t rec[1 + ELEM_MAX_NODES];
+      rec[0] = number++;
+      for (int j = 0; j < nodes; j++) rec[1 + j] = s->number[node[j]] + s->node0;
+      p = (char *)memcpy(p, rec, (1 + (size_t)nodes) * 8) + (1 + (size_t)nodes) * 8;
+    } else {
+      p = put_u64(p, number++);
+      for (int j = 0; j < nodes; j++) p = put_u64(put_char(p, ' '), s->number[node[j]] + s->node0);
+      p = put_char(p, '\n');
+    }
+    writer_commit(e->w, (size_t)(p - p0));
+  }
+}
+
+static void write_elements(Enc *e, const Selection *s)
+{
+  writer_str(e->w, "$Elements\n");
+  put_size(e, s->nblock);
+  put_size(e, s->nelem);
+  put_size(e, s->elem0);
+  put_size(e, s->elem0 + s->nelem - 1);
+  end_line(e);
+  uint64_t number = s->elem0;
+  for (size_t i = 0; i < s->nblock; i++) {
+    const MeshBlock *k = &s->mesh->block[s->block[i]];
+    write_block(e, s, k, number);
+    number += k->n;
+  }
+  writer_str(e->w, e->binary ? "\n$EndElements\n" : "$EndElements\n");
+}
+
+// Pairs of which both nodes are in the file.
+static size_t pairs_saved(const Selection *s, const MeshPeriodic *p)
+{
+  size_t n = 0;
+  for (size_t k = 0; k < p->slave_node.len; k++)
+    n += s->number[p->slave_node.data[k]] != NONE && s->number[p->master_node.data[k]] != NONE;
+  return n;
+}
+
+static void write_periodic(Enc *e, const Selection *s)
+{
+  const Mesh *m = s->mesh;
+  size_t n = 0;
+  for (size_t i = 0; i < m->nperiodic; i++) n += pairs_saved(s, &m->periodic[i]) > 0;
+  if (!n) return;
+  writer_str(e->w, "$Periodic\n");
+  put_size(e, n);
+  end_line(e);
+  for (size_t i = 0; i < m->nperiodic; i++) {
+    const MeshPeriodic *p = &m->periodic[i];
+    size_t pairs = pairs_saved(s, p);
+    if (!pairs) continue;
+    put_int(e, p->dim);
+    put_int(e, p->tag);
+    put_int(e, p->master);
+    end_line(e);
+    put_size(e, p->has_affine ? 16 : 0);
+    for (int k = 0; p->has_affine && k < 16; k++)
+      put_real(e, k % 4 == 3 && k < 12 ? p->affine[k] * s->scale : p->affine[k]);
+    end_line(e);
+    put_size(e, pairs);
+    end_line(e);
+    for (size_t k = 0; k < p->slave_node.len; k++) {
+      uint32_t a = s->number[p->slave_node.data[k]], b = s->number[p->master_node.data[k]];
+      if (a == NONE || b == NONE) continue;
+      put_size(e, a + s->node0);
+      put_size(e, b + s->node0);
+      end_line(e);
+    }
+  }
+  writer_str(e->w, e->binary ? "\n$EndPeriodic\n" : "$EndPeriodic\n");
+}
+
+void msh4__write(Writer *w, const Selection *s, const OutOptions *o)
+{
+  Enc e = {w, o->binary, true};
+  msh__write_format(w, "4.1", o);
+  msh__write_names(w, s->mesh);
+  write_entities(&e, s);
+  if (s->nnode) write_nodes(&e, s, o->save_parametric);
+  if (s->nelem) write_elements(&e, s);
+  write_periodic(&e, s);
+}

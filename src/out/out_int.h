@@ -1,0 +1,110 @@
+// out_int.h - what the writers and readers share: the selection, the format rows, fast number text
+// SPDX-License-Identifier: MIT
+#ifndef OUT_OUT_INT_H
+#define OUT_OUT_INT_H
+
+#include "base/base.h"
+#include "base/diag.h"
+#include "base/file.h"
+#include "base/number.h"
+#include "mesh/element.h"
+#include "mesh/mesh.h"
+#include "out/formats.h"
+
+// What of a mesh goes into a file (select.c).
+typedef struct {
+  const Mesh *mesh;
+  bool grouped;        // only what is in a physical group
+  bool *entity;        // per entity: its elements are saved
+  uint32_t *number;    // per node of the mesh: position in the file from 0, or NONE
+  uint32_t *node;      // inverse: nnode indices into the mesh's nodes, by entity
+  size_t nnode;
+  uint32_t *block;     // blocks saved, nblock of them, by entity then type
+  size_t nblock, nelem;
+  double scale;
+  uint64_t node0, elem0; // first numbers
+} Selection;
+
+// keep_orphans: nodes of saved entities that no saved element uses are written too.
+void select__make(Selection *s, const Mesh *m, const OutOptions *o, bool keep_orphans);
+void select__free(Selection *s);
+
+enum {
+  FORMAT_ORPHANS = 1,  // writes nodes that no element uses, when everything is saved
+  FORMAT_ALL = 2,      // the saving rule does not apply: pictures
+};
+
+struct Format {
+  const char *name, *extensions, *help; // extensions separated by blanks, without the dot
+  unsigned flags;
+  void (*write)(Writer *w, const Selection *s, const OutOptions *o);
+  int (*write_files)(const char *path, const Selection *s, const OutOptions *o); // instead: several files; errno
+  const char *(*refuses)(const Selection *s); // NULL or why this mesh cannot be written
+  Mesh *(*read)(const char *text, size_t len, const char *name, Diag *d);
+  Mesh *(*read_files)(const char *path, Diag *d, ExitCode *status); // instead: several files
+};
+
+void msh1__write(Writer *w, const Selection *s, const OutOptions *o);
+void msh2__write(Writer *w, const Selection *s, const OutOptions *o);
+void msh4__write(Writer *w, const Selection *s, const OutOptions *o);
+void vtk__write(Writer *w, const Selection *s, const OutOptions *o);
+void png__write(Writer *w, const Selection *s, const OutOptions *o);
+void svg__write(Writer *w, const Selection *s, const OutOptions *o);
+void pdf__write(Writer *w, const Selection *s, const OutOptions *o);
+
+// $PhysicalNames of the MSH formats; nothing if no group has a name.
+void msh__write_names(Writer *w, const Mesh *m);
+// $MeshFormat with the byte-order mark of binary files.
+void msh__write_format(Writer *w, const char *version, const OutOptions *o);
+
+// VTK's number of an element type, 0 if it has none, and its order of nodes: vtk[i] = ours[perm[i]].
+int vtk__cell_type(ElemType t);
+int vtk__order(ElemType t, uint8_t perm[ELEM_MAX_NODES]);
+const char *vtk__refuses(const Selection *s);
+
+// First physical tag of an entity without its sign, or 0.
+static inline int select__physical(const MeshEntity *e)
+{
+  return e->physical.len ? abs(e->physical.data[0]) : 0;
+}
+// Element ids are shown by position in the file: nodes of the mesh to numbers in the file.
+static inline Vec3 select__xyz(const Selection *s, size_t k)
+{
+  return vec3_scale(s->scale, mesh_xyz(s->mesh, s->node[k]));
+}
+
+// Decimal text of v at p; returns the end.
+static inline char *put_u64(char *p, uint64_t v)
+{
+  if (v < 10) {
+    *p = (char)('0' + v);
+    return p + 1;
+  }
+  char tmp[20];
+  int n = 0;
+  while (v >= 100) {
+    uint64_t q = v / 100, r = v - 100 * q;
+    tmp[n++] = (char)('0' + r % 10);
+    tmp[n++] = (char)('0' + r / 10);
+    v = q;
+  }
+  tmp[n++] = (char)('0' + v % 10);
+  if (v >= 10) tmp[n++] = (char)('0' + v / 10);
+  for (int i = 0; i < n; i++) p[i] = tmp[n - 1 - i];
+  return p + n;
+}
+static inline char *put_double(char *p, double v)
+{
+  if (v == 0 && !signbit(v)) {
+    *p = '0';
+    return p + 1;
+  }
+  return p + number_print(p, v);
+}
+static inline char *put_char(char *p, char c)
+{
+  *p = c;
+  return p + 1;
+}
+
+#endif

@@ -1,0 +1,91 @@
+// select.c - the saving rule: which elements and nodes of a mesh go into a file, and in what order
+// SPDX-License-Identifier: MIT
+#include "base/base.h"
+
+#include "out/out_int.h"
+
+// Nodes of saved elements, and of saved entities if orphans are kept, marked 0; the others NONE.
+static void mark_nodes(Selection *s, bool keep_orphans)
+{
+  const Mesh *m = s->mesh;
+  memset(s->number, 0xff, m->nnode * sizeof *s->number);
+  if (keep_orphans)
+    for (size_t i = 0; i < m->nnode; i++)
+      if (s->entity[m->node_entity[i]]) s->number[i] = 0;
+  for (size_t b = 0; b < s->nblock; b++) {
+    const MeshBlock *k = &m->block[s->block[b]];
+    size_t n = k->n * (size_t)elem_nodes(k->type);
+    for (size_t i = 0; i < n; i++) s->number[k->node[i]] = 0;
+  }
+}
+
+// Number the marked nodes by entity, keeping their order within each: a counting sort.
+static void number_nodes(Selection *s)
+{
+  const Mesh *m = s->mesh;
+  size_t *start = mem_zalloc((m->nentity + 1) * sizeof *start);
+  for (size_t i = 0; i < m->nnode; i++)
+    if (s->number[i] == 0) start[m->node_entity[i] + 1]++;
+  for (size_t e = 0; e < m->nentity; e++) start[e + 1] += start[e];
+  s->nnode = start[m->nentity];
+  s->node = mem_alloc(s->nnode * sizeof *s->node);
+  for (size_t i = 0; i < m->nnode; i++)
+    if (s->number[i] == 0) {
+      size_t k = start[m->node_entity[i]]++;
+      s->number[i] = (uint32_t)k;
+      s->node[k] = (uint32_t)i;
+    }
+  free(start);
+}
+
+void select__make(Selection *s, const Mesh *m, const OutOptions *o, bool keep_orphans)
+{
+  *s = (Selection){.mesh = m, .scale = o->scaling == 0 ? 1 : o->scaling};
+  s->node0 = o->first_node ? o->first_node : 1;
+  s->elem0 = o->first_element ? o->first_element : 1;
+  s->grouped = !o->save_all && mesh_is_grouped(m);
+  s->entity = mem_alloc(m->nentity * sizeof *s->entity);
+  for (size_t e = 0; e < m->nentity; e++) s->entity[e] = !s->grouped || m->entity[e].physical.len > 0;
+  s->block = mem_alloc(m->nblock * sizeof *s->block);
+  for (size_t b = 0; b < m->nblock; b++)
+    if (s->entity[m->block[b].entity] && m->block[b].n) {
+      s->block[s->nblock++] = (uint32_t)b;
+      s->nelem += m->block[b].n;
+    }
+  s->number = mem_alloc(m->nnode * sizeof *s->number);
+  mark_nodes(s, keep_orphans && !s->grouped);
+  number_nodes(s);
+}
+
+void select__free(Selection *s)
+{
+  free(s->entity);
+  free(s->number);
+  free(s->node);
+  free(s->block);
+}
+
+void out_warn_dropped(const Mesh *m, const OutOptions *o, Diag *d)
+{
+  static const char *const kind[] = {"Point", "Curve", "Surface"};
+  if (o->save_all || !mesh_is_grouped(m)) return;
+  int dim = mesh_count(m, 2) ? 2 : 1;
+  size_t dropped = 0, entities = 0, all = mesh_count(m, dim);
+  int first = 0;
+  for (size_t b = 0; b < m->nblock; b++) {
+    const MeshEntity *e = &m->entity[m->block[b].entity];
+    if (e->dim != dim || e->physical.len || !m->block[b].n) continue;
+    if (!dropped) first = e->tag;
+    if (!b || m->block[b - 1].entity != m->block[b].entity || !dropped) entities++;
+    dropped += m->block[b].n;
+  }
+  if (!dropped) return;
+  const char *what = dim == 2 ? "surface elements" : "line elements";
+  if (dropped == all)
+    diag_warning(d, NO_LOC, "all %zu %s are dropped on saving: there are physical groups, but no Physical %s "
+                 "(-save_all saves everything)", all, what, kind[dim]);
+  else
+    diag_warning(d, NO_LOC, "%zu of %zu %s are dropped on saving: %s %d%s in no Physical %s (-save_all saves "
+                 "everything)", dropped, all, what, dim == 2 ? "face" : "curve", first,
+                 entities > 1 ? " and others are" : " is", kind[dim]);
+}

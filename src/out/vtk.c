@@ -1,0 +1,167 @@
+// vtk.c - legacy VTK files: unstructured grids, ASCII and binary
+// SPDX-License-Identifier: MIT
+#include "base/base.h"
+
+#include "out/out_int.h"
+
+int vtk__cell_type(ElemType t)
+{
+  switch (t) {
+  case ELEM_POINT: return 1;
+  case ELEM_LINE2: return 3;
+  case ELEM_TRI3: return 5;
+  case ELEM_QUAD4: return 9;
+  case ELEM_LINE3: return 21;
+  case ELEM_TRI6: return 22;
+  case ELEM_QUAD8: return 23;
+  case ELEM_QUAD9: return 28;
+  case ELEM_LINE4:
+  case ELEM_LINE5: return 68; // Lagrange cells of any order
+  case ELEM_TRI10:
+  case ELEM_TRI15: return 69;
+  case ELEM_QUAD16:
+  case ELEM_QUAD25: return 70;
+  case ELEM_TRI9:
+  case ELEM_QUAD12: return 0;
+  }
+  return 0;
+}
+
+const char *vtk__refuses(const Selection *s)
+{
+  for (size_t i = 0; i < s->nblock; i++)
+    if (!vtk__cell_type(s->mesh->block[s->block[i]].type))
+      return "VTK has no incomplete elements of order 3 (use Mesh.SecondOrderIncomplete = 0)";
+  return NULL;
+}
+
+// perm: vtk[i] = ours[perm[i]]. Lagrange quadrangles list each edge from the lower to the higher coordinate and the
+// interior row by row; Lagrange triangles are as ours, up to order 4.
+int vtk__order(ElemType t, uint8_t perm[ELEM_MAX_NODES])
+{
+  uint8_t ij[ELEM_MAX_NODES][2];
+  int n = elem_lattice(t, ij), p = elem_order(t), k = 4;
+  for (int i = 0; i < n; i++) perm[i] = (uint8_t)i;
+  if (vtk__cell_type(t) != 70) return n;
+  int want[ELEM_MAX_NODES][2] = {{0, 0}, {p, 0}, {p, p}, {0, p}};
+  for (int e = 0; e < 4; e++)
+    for (int i = 1; i < p; i++, k++) {
+      want[k][0] = e == 0 || e == 2 ? i : e == 1 ? p : 0;
+      want[k][1] = e == 1 || e == 3 ? i : e == 2 ? p : 0;
+    }
+  for (int j = 1; j < p; j++)
+    for (int i = 1; i < p; i++, k++) {
+      want[k][0] = i;
+      want[k][1] = j;
+    }
+  for (int a = 0; a < n; a++)
+    for (int b = 0; b < n; b++)
+      if (ij[b][0] == want[a][0] && ij[b][1] == want[a][1]) perm[a] = (uint8_t)b;
+  return n;
+}
+
+static void put_be32(Writer *w, uint32_t v)
+{
+  v = __builtin_bswap32(v);
+  memcpy(writer_reserve(w, 4), &v, 4);
+  writer_commit(w, 4);
+}
+
+static void write_points(Writer *w, const Selection *s, bool binary)
+{
+  writer_printf(w, "POINTS %zu double\n", s->nnode);
+  for (size_t k = 0; k < s->nnode; k++) {
+    const Vec3 x = select__xyz(s, k);
+    char *p0 = writer_reserve(w, 128), *p = p0;
+    if (binary) {
+      uint64_t b[3];
+      memcpy(b, &x, sizeof b);
+      for (int i = 0; i < 3; i++) b[i] = __builtin_bswap64(b[i]);
+      p = (char *)memcpy(p, b, sizeof b) + sizeof b;
+    } else {
+      p = put_char(put_double(p, x.x), ' ');
+      p = put_char(put_double(p, x.y), ' ');
+      p = put_char(put_double(p, x.z), '\n');
+    }
+    writer_commit(w, (size_t)(p - p0));
+  }
+  writer_char(w, '\n');
+}
+
+static void write_cells(Writer *w, const Selection *s, bool binary)
+{
+  size_t total = 0;
+  for (size_t i = 0; i < s->nblock; i++) {
+    const MeshBlock *k = &s->mesh->block[s->block[i]];
+    total += k->n * (size_t)(elem_nodes(k->type) + 1);
+  }
+  writer_printf(w, "CELLS %zu %zu\n", s->nelem, total);
+  for (size_t i = 0; i < s->nblock; i++) {
+    const MeshBlock *k = &s->mesh->block[s->block[i]];
+    uint8_t perm[ELEM_MAX_NODES];
+    int n = vtk__order(k->type, perm);
+    for (size_t j = 0; j < k->n; j++) {
+      const uint32_t *node = k->node + j * (size_t)n;
+      char *p0 = writer_reserve(w, 512), *p = p0;
+      if (binary) {
+        uint32_t rec[1 + ELEM_MAX_NODES] = {__builtin_bswap32((uint32_t)n)};
+        for (int a = 0; a < n; a++) rec[1 + a] = __builtin_bswap32(s->number[node[perm[a]]]);
+        p = (char *)memcpy(p, rec, ((size_t)n + 1) * 4) + ((size_t)n + 1) * 4;
+      } else {
+        p = put_u64(p, (uint64_t)n);
+        for (int a = 0; a < n; a++) p = put_u64(put_char(p, ' '), s->number[node[perm[a]]]);
+        p = put_char(p, '\n');
+      }
+      writer_commit(w, (size_t)(p - p0));
+    }
+  }
+  writer_char(w, '\n');
+}
+
+// One integer per cell, the same for all of a block.
+static void write_per_block(Writer *w, const Selection *s, bool binary, int (*value)(const Mesh *m, const MeshBlock *k))
+{
+  for (size_t i = 0; i < s->nblock; i++) {
+    const MeshBlock *k = &s->mesh->block[s->block[i]];
+    int v = value(s->mesh, k);
+    for (size_t j = 0; j < k->n; j++)
+      if (binary)
+        put_be32(w, (uint32_t)v);
+      else {
+        writer_i64(w, v);
+        writer_char(w, '\n');
+      }
+  }
+  if (binary) writer_char(w, '\n');
+}
+
+static int type_value(const Mesh *m, const MeshBlock *k)
+{
+  (void)m;
+  return vtk__cell_type(k->type);
+}
+
+static int group_value(const Mesh *m, const MeshBlock *k)
+{
+  int tag = select__physical(&m->entity[k->entity]);
+  return tag ? tag : -1;
+}
+
+static int entity_value(const Mesh *m, const MeshBlock *k) { return m->entity[k->entity].tag; }
+
+void vtk__write(Writer *w, const Selection *s, const OutOptions *o)
+{
+  writer_printf(w, "# vtk DataFile Version 2.0\n%.200s\n%s\nDATASET UNSTRUCTURED_GRID\n",
+                o->title ? o->title : "meshgen", o->binary ? "BINARY" : "ASCII");
+  write_points(w, s, o->binary);
+  write_cells(w, s, o->binary);
+  writer_printf(w, "CELL_TYPES %zu\n", s->nelem);
+  write_per_block(w, s, o->binary, type_value);
+  writer_printf(w, "%sCELL_DATA %zu\n", o->binary ? "" : "\n", s->nelem);
+  if (mesh_is_grouped(s->mesh)) {
+    writer_str(w, "SCALARS CellEntityIds int 1\nLOOKUP_TABLE default\n");
+    write_per_block(w, s, o->binary, group_value);
+  }
+  writer_str(w, "SCALARS GeometricalEntityIds int 1\nLOOKUP_TABLE default\n");
+  write_per_block(w, s, o->binary, entity_value);
+}
