@@ -1,0 +1,108 @@
+// mesh_measure.c - shape, size and place of single elements
+// SPDX-License-Identifier: MIT
+#include "base/base.h"
+
+#include "mesh/mesh_measure.h"
+
+#include "geom/quality.h"
+
+static const double pi = 3.14159265358979323846;
+
+int mesh_corners(const Mesh *m, const MeshBlock *k, size_t i, Vec3 p[4])
+{
+  int n = elem_corners(k->type);
+  const uint32_t *v = k->node + i * (size_t)elem_nodes(k->type);
+  for (int c = 0; c < n; c++) p[c] = mesh_xyz(m, v[c]);
+  return n;
+}
+
+Vec3 mesh_center(const Mesh *m, const MeshBlock *k, size_t i)
+{
+  Vec3 p[4], s = {0, 0, 0};
+  int n = mesh_corners(m, k, i, p);
+  for (int c = 0; c < n; c++) s = vec3_add(s, p[c]);
+  return vec3_scale(1. / n, s);
+}
+
+// Area vector of a polygon of three or four corners.
+static Vec3 area_vector(const Vec3 *p, int n)
+{
+  Vec3 a = n == 3 ? vec3_sub(p[1], p[0]) : vec3_sub(p[2], p[0]);
+  Vec3 b = n == 3 ? vec3_sub(p[2], p[0]) : vec3_sub(p[3], p[1]);
+  return vec3_scale(0.5, vec3_cross(a, b));
+}
+
+double mesh_size_of(const Mesh *m, const MeshBlock *k, size_t i, Vec3 normal)
+{
+  Vec3 p[4];
+  int n = mesh_corners(m, k, i, p);
+  if (n == 1) return 0;
+  if (n == 2) return vec3_distance(p[0], p[1]);
+  Vec3 a = area_vector(p, n);
+  double size = vec3_length(a);
+  return vec3_dot(a, normal) < 0 ? -size : size;
+}
+
+// Angles at the corners of a quadrangle, in (0, 2 pi): against its own mean normal.
+static void quad_angles(const Vec3 *p, double angle[4])
+{
+  Vec3 n = area_vector(p, 4);
+  for (int c = 0; c < 4; c++) {
+    Vec3 a = vec3_sub(p[(c + 1) % 4], p[c]), b = vec3_sub(p[(c + 3) % 4], p[c]), x = vec3_cross(a, b);
+    double sine = vec3_length(x), cosine = vec3_dot(a, b);
+    angle[c] = atan2(vec3_dot(x, n) < 0 ? -sine : sine, cosine);
+    if (angle[c] < 0) angle[c] += 2 * pi;
+  }
+}
+
+static int angles_of(const Mesh *m, const MeshBlock *k, size_t i, double angle[4])
+{
+  Vec3 p[4];
+  int n = mesh_corners(m, k, i, p);
+  if (n == 3)
+    quality_angles(shape_space(p[0], p[1], p[2], (Vec3){0, 0, 0}), angle);
+  else {
+    quad_angles(p, angle);
+    for (int c = 0; c < 4; c++) angle[c] *= 180 / pi;
+  }
+  return n;
+}
+
+void mesh_angle_range(const Mesh *m, const MeshBlock *k, size_t i, double *least, double *largest)
+{
+  double angle[4];
+  int n = angles_of(m, k, i, angle);
+  *least = *largest = angle[0];
+  for (int c = 1; c < n; c++) {
+    *least = fmin(*least, angle[c]);
+    *largest = fmax(*largest, angle[c]);
+  }
+}
+
+double mesh_measure(const Mesh *m, const MeshBlock *k, size_t i, Measure what)
+{
+  Vec3 p[4];
+  int n = elem_corners(k->type);
+  if (what == MEASURE_GAMMA && n == 3) {
+    mesh_corners(m, k, i, p);
+    return quality_gamma(shape_space(p[0], p[1], p[2], (Vec3){0, 0, 0}));
+  }
+  double least, largest, ideal = n == 3 ? 60 : 90;
+  mesh_angle_range(m, k, i, &least, &largest);
+  if (what == MEASURE_ANGLE) return least;
+  return fmax(0, 1 - fmax(largest - ideal, ideal - least) / ideal);
+}
+
+Vec3 mesh_area_vector(const Mesh *m, uint32_t entity)
+{
+  Vec3 sum = {0, 0, 0}, p[4];
+  for (size_t b = 0; b < m->nblock; b++) {
+    const MeshBlock *k = &m->block[b];
+    if (elem_dim(k->type) != 2 || (entity != NONE && k->entity != entity)) continue;
+    for (size_t i = 0; i < k->n; i++) {
+      int n = mesh_corners(m, k, i, p);
+      sum = vec3_add(sum, area_vector(p, n));
+    }
+  }
+  return sum;
+}
