@@ -1,0 +1,72 @@
+// refine.h - from the empty mesh to a mesh: point placement, optimization, smoothing, guaranteed angles
+// SPDX-License-Identifier: MIT
+#ifndef TRI_REFINE_H
+#define TRI_REFINE_H
+
+#include "base/base.h"
+#include "geom/quality.h"
+#include "tri/tri.h"
+
+// Strategies of [book §4.4.3], numbered as Mesh.Algorithm.
+typedef enum {
+  REFINE_ADAPT = 1,    // split long edges, collapse short ones, flip, relocate
+  REFINE_EMPTY = 3,    // add no vertex (optimization may still flip)
+  REFINE_DELAUNAY = 5, // circumcentres of the triangles of the largest adimensional size
+  REFINE_FRONTAL = 6,  // ideal points in front of active edges
+} RefineAlgorithm;
+
+// How tri_refine ended.
+typedef enum {
+  REFINE_DONE,
+  REFINE_LIMIT,     // max_triangles reached: a valid mesh, coarser than asked for
+  REFINE_CANCELLED, // the callback said so: a valid mesh, unfinished
+} RefineOutcome;
+
+typedef struct {
+  RefineAlgorithm algorithm;
+
+  // Wanted edge length at a point of the face, positive; NULL: only the boundary's.
+  SizeAt size;
+  void *size_ctx;
+  // Let sizes extend from the boundary into the face: each initial vertex carries the length of its shortest edge in the initial
+  // triangulation (at least half its shortest segment), interpolated linearly; the wanted size is the smaller of this and size().
+  // Always on where size is NULL.
+  bool extend_from_boundary;
+  // Upper bound of the carried size of each initial vertex, such as the size asked for at an embedded point; NULL: none.
+  // The caller owns it; as many entries as the triangulation has vertices.
+  const double *vertex_size;
+
+  int smoothing;   // passes of Laplacian smoothing that never make a worst triangle worse; Mesh.Smoothing
+  int optimize;    // 0 none, 1 flips and repositioning, 2 also valence repair until nothing improves
+  size_t max_triangles; // 0: what 32-bit indices hold
+
+  // Guaranteed smallest angle in degrees, 0 for none (tri_minangle.c). Segments are split where they must be.
+  double min_angle;
+  // Split every segment whose diametral circle holds a vertex, before anything else [book §4.4.1].
+  bool conforming;
+  // Where to put the new vertex when the segment from u to v is split near its parameter `at` in (0,1) of the straight segment;
+  // NULL puts it on the straight segment. Returns false where the segment must not be split.
+  bool (*split)(void *ctx, VertId u, VertId v, double at, Vec2 *point);
+  void *split_ctx;
+
+  // Called now and then with the share done; true cancels.
+  bool (*cancel)(void *ctx, double done);
+  void *cancel_ctx;
+} TriRefineParams;
+
+typedef struct {
+  RefineOutcome outcome;
+  size_t inserted;   // vertices added in the interior
+  size_t split;      // vertices added on segments
+  size_t flips, moves, collapses; // by the optimization (and by MeshAdapt)
+  size_t skinny;     // triangles below min_angle that no rule may split: at input angles under 60 degrees
+} TriRefineStats;
+
+// The defaults: frontal, extending from the boundary, one smoothing pass, optimization of level 1.
+TriRefineParams tri_refine_defaults(void);
+
+// Refine a constrained and carved triangulation in place. Segments stay edges of the mesh, whole unless split as said above.
+// Every decision on topology is exact and the result depends on the arguments alone. About 1 us per triangle.
+TriRefineStats tri_refine(Tri *m, const TriRefineParams *p);
+
+#endif

@@ -1,0 +1,85 @@
+// refine_int.h - what the strategies of refinement share: sizes, the insertion engine, queues
+// SPDX-License-Identifier: MIT
+#ifndef TRI_REFINE_INT_H
+#define TRI_REFINE_INT_H
+
+#include "base/base.h"
+#include "base/mem.h"
+#include "tri/refine.h"
+#include "tri/tri_metric.h"
+
+#include <string.h>
+
+// Bits of flag[t] while refining.
+enum {
+  REFINE_SMALL = TRI_USER_0, // the triangle's adimensional size is within the limit
+  REFINE_STUCK = TRI_USER_1, // no point can be placed for it
+};
+
+// One side of the cavity of a new point, counterclockwise; the new triangle on it is (a, next side's a, point).
+typedef struct {
+  VertId a;
+  EdgeId outer;  // the half-edge outside the cavity
+  uint32_t seg;  // id of the segment on it; used if is_seg
+  TriId tri;     // the new triangle, after the commit
+  bool is_seg;
+} RimSide;
+
+typedef Vec(RimSide) RimVec;
+
+// Key of x >= 1 for stacks: grows with the logarithm of x, which the leading bits of a float are; 2^(23 - shift) keys an octave.
+static inline int refine__key(double x, int shift, int nkeys)
+{
+  float f = (float)fmin(x, 1e38), one = 1;
+  uint32_t bits, base;
+  memcpy(&bits, &f, sizeof bits);
+  memcpy(&base, &one, sizeof base);
+  if (!(f > 1)) return 0;
+  uint32_t k = (bits - base) >> shift;
+  return k < (uint32_t)nkeys ? (int)k : nkeys - 1;
+}
+
+typedef struct {
+  Tri *m;
+  const TriRefineParams *p;
+  TriRefineStats *stats;
+  double *size;     // by vertex: wanted edge length
+  double *carried;  // by vertex: size carried from the boundary; NULL where only the callback counts
+  uint32_t cap_v;   // entries of the two
+  size_t max_vertices;
+  uint64_t ticks;
+  bool *fixed;      // by vertex: on a segment; made for the optimization
+  double floor;     // 1/kappa_4^2 that a triangle may rise to while its star gets better
+
+  // The cavity being built.
+  double at[2];
+  RimVec rim;
+  U32Vec dead, stack;
+} Refiner;
+
+// ---- tri_refine.c
+// Size wanted at p, which lies in (or near) triangle t; *carried gets the interpolated boundary size if that is in use.
+double refine__size_at(Refiner *r, const double *p, TriId t, double *carried);
+// What the size callback says in the middle of triangle t.
+double refine__size_inside(const Refiner *r, TriId t);
+// Triangle that holds p, walking from t. NONE if a segment is in the way.
+TriId refine__walk(const Tri *m, const double *p, TriId t);
+// Collect the constrained Delaunay cavity of p in triangle t. False if p is on a vertex or a segment, or too near to one
+// (seen under more than a right angle, while `clear`).
+bool refine__cavity(Refiner *r, const double *p, TriId t, bool clear);
+// Replace it by the ball of p; r->rim tells the new triangles.
+VertId refine__commit(Refiner *r, double size, double carried);
+// Room for one more vertex, and nobody wants to stop.
+bool refine__go_on(Refiner *r);
+
+// ---- strategies
+void refine__delaunay(Refiner *r);
+void refine__frontal(Refiner *r);
+
+// ---- optimization
+void refine__smooth(Refiner *r, int passes);
+// Improve the position of interior vertex v; true if it moved.
+bool refine__relocate(Refiner *r, VertId v);
+void refine__optimize(Refiner *r, int level);
+
+#endif

@@ -1,0 +1,112 @@
+// tri_delaunay.c - refinement by circumcentres of the triangles of the largest adimensional size
+// SPDX-License-Identifier: MIT
+#include "base/base.h"
+#include "tri/refine_int.h"
+
+#include <string.h>
+
+// A triangle is refined while its adimensional size, sqrt(3) R / h [book eq. 4.19], is above this.
+#define LIMIT 1.333
+
+enum { NKEYS = 250 };
+
+typedef struct {
+  Refiner *r;
+  uint8_t *key;  // by triangle: 1 + the stack it waits in, 0 if it does not
+  uint32_t cap;
+  int top;       // no stack above this one has entries
+  U32Vec stack[NKEYS];
+} Queue;
+
+// Square of the adimensional size of t over that of the limit.
+static double excess2(const Refiner *r, TriId t)
+{
+  const Tri *m = r->m;
+  const uint32_t *v = m->vert + 3 * (size_t)t;
+  double area2, h = (r->size[v[0]] + r->size[v[1]] + r->size[v[2]]) / 3;
+  double x = 3 * metric_radius2(tri_xy(m, v[0]), tri_xy(m, v[1]), tri_xy(m, v[2]), &area2) / (LIMIT * LIMIT * h * h);
+  if (x > 1 || !r->p->size) return x;
+  double g = refine__size_inside(r, t);
+  return g < h ? x * (h * h) / (g * g) : x;
+}
+
+static void consider(Queue *q, TriId t)
+{
+  if (t >= q->cap) {
+    uint32_t cap = q->r->m->cap_t;
+    q->key = mem_realloc(q->key, cap);
+    memset(q->key + q->cap, 0, cap - q->cap);
+    q->cap = cap;
+  }
+  double x = excess2(q->r, t);
+  q->key[t] = 0;
+  if (x <= 1) return;
+  int k = refine__key(x, 21, NKEYS);
+  q->key[t] = (uint8_t)(k + 1);
+  vec_push(&q->stack[k], t);
+  if (k > q->top) q->top = k;
+}
+
+// The next triangle, the largest (of about equals the latest, which lies near the last one); NONE when there is none.
+static TriId take(Queue *q)
+{
+  for (; q->top >= 0; q->top--) {
+    U32Vec *s = &q->stack[q->top];
+    while (s->len) {
+      TriId t = vec_pop(s);
+      if (q->key[t] != q->top + 1) continue; // the slot holds another triangle by now
+      q->key[t] = 0;
+      return t;
+    }
+  }
+  return NONE;
+}
+
+static bool try_point(Queue *q, const double *p, TriId near)
+{
+  Refiner *r = q->r;
+  if (!isfinite(p[0]) || !isfinite(p[1])) return false;
+  TriId t = refine__walk(r->m, p, near);
+  if (t == NONE) return false;
+  if (!refine__cavity(r, p, t, true)) return false;
+  double carried, h = refine__size_at(r, p, t, &carried);
+  refine__commit(r, h, carried);
+  for (size_t i = 0; i < r->rim.len; i++) consider(q, r->rim.data[i].tri);
+  return true;
+}
+
+// The circumcentre lies across a segment: halve the longest edge that is not one, if its halves are not too short.
+static bool try_middle(Queue *q, TriId t)
+{
+  const Tri *m = q->r->m;
+  EdgeId best = NONE;
+  double longest = 1.4;
+  for (EdgeId e = 3 * t; e < 3 * t + 3; e++) {
+    VertId a = tri_org(m, e), b = tri_dest(m, e);
+    double len = metric_length(tri_xy(m, a), tri_xy(m, b), q->r->size[a], q->r->size[b]);
+    if (tri_is_segment(m, e) || len <= longest) continue;
+    longest = len, best = e;
+  }
+  if (best == NONE) return false;
+  const double *a = tri_xy(m, tri_org(m, best)), *b = tri_xy(m, tri_dest(m, best));
+  double p[2] = {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])};
+  return try_point(q, p, t);
+}
+
+void refine__delaunay(Refiner *r)
+{
+  Tri *m = r->m;
+  Queue q = {.r = r, .top = -1};
+  uint32_t n = m->nt;
+  for (TriId t = 0; t < n; t++)
+    if (tri_is_inside(m, t)) consider(&q, t);
+  TriId t;
+  while ((t = take(&q)) != NONE && refine__go_on(r)) {
+    const uint32_t *v = m->vert + 3 * (size_t)t;
+    double p[2];
+    metric_centre(tri_xy(m, v[0]), tri_xy(m, v[1]), tri_xy(m, v[2]), p);
+    if (!try_point(&q, p, t)) try_middle(&q, t);
+  }
+  for (int k = 0; k < NKEYS; k++) vec_free(&q.stack[k]);
+  free(q.key);
+}

@@ -1,0 +1,251 @@
+// tri_refine.c - the entry of refinement, its sizes, and the insertion of points into a constrained Delaunay triangulation
+// SPDX-License-Identifier: MIT
+#include "base/base.h"
+#include "tri/refine.h"
+
+#include "tri/refine_int.h"
+
+TriRefineParams tri_refine_defaults(void)
+{
+  return (TriRefineParams){.algorithm = REFINE_FRONTAL, .extend_from_boundary = true, .smoothing = 1, .optimize = 1};
+}
+
+// ---- sizes ------------------------------------------------------------------------------------------------------
+
+static double ask_size(const Refiner *r, const double *p)
+{
+  return r->p->size(r->p->size_ctx, (Vec2){p[0], p[1]});
+}
+
+// Each initial vertex carries the length of its shortest edge, but no less than half its shortest segment: so narrow gaps are
+// refined, and a stray vertex near a segment is not.
+static void carry_from_boundary(Refiner *r)
+{
+  const Tri *m = r->m;
+  double *segment = mem_alloc(m->nv * sizeof *segment);
+  for (VertId v = 0; v < m->nv; v++) r->carried[v] = segment[v] = INFINITY;
+  for (EdgeId e = 0; e < 3 * m->nt; e++) {
+    if (!tri_is_inside(m, tri_of(e))) continue;
+    VertId a = tri_org(m, e), b = tri_dest(m, e);
+    double d = metric_distance2(tri_xy(m, a), tri_xy(m, b));
+    r->carried[a] = fmin(r->carried[a], d), r->carried[b] = fmin(r->carried[b], d);
+    if (tri_is_segment(m, e)) segment[a] = fmin(segment[a], d), segment[b] = fmin(segment[b], d);
+  }
+  for (VertId v = 0; v < m->nv; v++) {
+    double s = 0.5 * sqrt(segment[v]);
+    r->carried[v] = sqrt(r->carried[v]);
+    if (isfinite(s)) r->carried[v] = fmax(r->carried[v], s);
+    if (r->p->vertex_size) r->carried[v] = fmin(r->carried[v], r->p->vertex_size[v]);
+    if (!isfinite(r->carried[v])) r->carried[v] = 1; // an isolated vertex, which nobody will ask
+  }
+  free(segment);
+}
+
+static void initial_sizes(Refiner *r)
+{
+  const Tri *m = r->m;
+  r->cap_v = m->cap_v > m->nv ? m->cap_v : m->nv;
+  r->size = mem_alloc((size_t)r->cap_v * sizeof *r->size);
+  if (r->p->extend_from_boundary || !r->p->size) {
+    r->carried = mem_alloc((size_t)r->cap_v * sizeof *r->carried);
+    carry_from_boundary(r);
+  }
+  for (VertId v = 0; v < m->nv; v++) {
+    double h = r->carried ? r->carried[v] : INFINITY;
+    if (r->p->size) h = fmin(h, ask_size(r, tri_xy(m, v)));
+    if (!r->carried && r->p->vertex_size) h = fmin(h, r->p->vertex_size[v]);
+    r->size[v] = h;
+  }
+}
+
+double refine__size_at(Refiner *r, const double *p, TriId t, double *carried)
+{
+  double h = INFINITY;
+  *carried = 0;
+  if (r->carried) {
+    const Tri *m = r->m;
+    const uint32_t *v = m->vert + 3 * (size_t)t;
+    const double *a = tri_xy(m, v[0]), *b = tri_xy(m, v[1]), *c = tri_xy(m, v[2]);
+    double x = b[0] - a[0], y = b[1] - a[1], u = c[0] - a[0], w = c[1] - a[1], s = p[0] - a[0], q = p[1] - a[1];
+    double d = 1 / (x * w - y * u), f = (s * w - q * u) * d, g = (x * q - y * s) * d;
+    double ha = r->carried[v[0]], hb = r->carried[v[1]], hc = r->carried[v[2]];
+    h = ha + f * (hb - ha) + g * (hc - ha);
+    // p may lie outside of t, and rounding makes weights below 0: the sizes at the corners bound what comes out.
+    h = fmax(fmin(ha, fmin(hb, hc)), fmin(h, fmax(ha, fmax(hb, hc))));
+    *carried = h;
+  }
+  if (r->p->size) h = fmin(h, ask_size(r, p));
+  return h;
+}
+
+double refine__size_inside(const Refiner *r, TriId t)
+{
+  const uint32_t *v = r->m->vert + 3 * (size_t)t;
+  const double *a = tri_xy(r->m, v[0]), *b = tri_xy(r->m, v[1]), *c = tri_xy(r->m, v[2]);
+  double p[2] = {(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3};
+  return ask_size(r, p);
+}
+
+// ---- the insertion engine -----------------------------------------------------------------------------------------
+
+TriId refine__walk(const Tri *m, const double *p, TriId t)
+{
+  // Every edge crossed is locally Delaunay, so the power of p to the triangles' circles decreases: the walk ends.
+  EdgeId from = NONE;
+  for (;;) {
+    EdgeId e = 3 * t, out = NONE;
+    for (int i = 0; i < 3; i++, e++) {
+      if (e == from) continue;
+      if (orient2d(tri_xy(m, m->vert[e]), tri_xy(m, tri_dest(m, e)), p) < 0) {
+        out = e;
+        break;
+      }
+    }
+    if (out == NONE) return t;
+    if (tri_is_segment(m, out)) return NONE;
+    from = m->twin[out];
+    t = tri_of(from);
+  }
+}
+
+// Is p inside the circle of the triangle of half-edge o?
+static inline bool in_conflict(Tri *m, EdgeId o, const double *p)
+{
+  const uint32_t *v = m->vert + 3 * (size_t)(o / 3);
+  return incircle_perturbed(tri_xy(m, v[0]), tri_xy(m, v[1]), tri_xy(m, v[2]), p, &m->count) > 0;
+}
+
+bool refine__cavity(Refiner *r, const double *p, TriId t, bool clear)
+{
+  Tri *m = r->m;
+  r->at[0] = p[0], r->at[1] = p[1];
+  vec_clear(&r->rim), vec_clear(&r->dead), vec_clear(&r->stack);
+  vec_push(&r->dead, t);
+  vec_push(&r->stack, 3 * t + 2), vec_push(&r->stack, 3 * t + 1), vec_push(&r->stack, 3 * t);
+  // The triangles of the cavity form a tree, since no vertex is inside: walking it depth first, counterclockwise about each
+  // triangle, gives the sides in order.
+  while (r->stack.len) {
+    EdgeId e = vec_pop(&r->stack), o = m->twin[e];
+    bool seg = tri_is_segment(m, e);
+    if (!seg && in_conflict(m, o, p)) {
+      vec_push(&r->dead, tri_of(o));
+      vec_push(&r->stack, tri_prev(o));
+      vec_push(&r->stack, tri_next(o));
+      continue;
+    }
+    const double *a = tri_xy(m, m->vert[e]), *b = tri_xy(m, tri_dest(m, e));
+    if (UNLIKELY(orient2d(a, b, p) <= 0)) return false;
+    if (seg && clear && (a[0] - p[0]) * (b[0] - p[0]) + (a[1] - p[1]) * (b[1] - p[1]) < 0) return false;
+    RimSide side = {.a = m->vert[e], .outer = o, .seg = seg ? m->seg[e] : NONE, .is_seg = seg};
+    vec_push(&r->rim, side);
+  }
+  return true;
+}
+
+static void more_vertices(Refiner *r)
+{
+  Tri *m = r->m;
+  if (m->nv + 1 > m->cap_v) tri_reserve(m, (size_t)m->nv + m->nv / 2 + 64, m->cap_t);
+  if (r->cap_v >= m->cap_v) return;
+  r->cap_v = m->cap_v;
+  r->size = mem_realloc(r->size, (size_t)r->cap_v * sizeof *r->size);
+  if (r->carried) r->carried = mem_realloc(r->carried, (size_t)r->cap_v * sizeof *r->carried);
+}
+
+static TriId fresh_triangle(Tri *m)
+{
+  if (m->nfree) {
+    TriId t = m->free_list;
+    m->free_list = m->twin[3 * (size_t)t];
+    m->nfree--;
+    return t;
+  }
+  if (m->nt + 1 > m->cap_t) tri_reserve(m, m->cap_v, (size_t)m->nt + m->nt / 2 + 64);
+  return m->nt++;
+}
+
+VertId refine__commit(Refiner *r, double size, double carried)
+{
+  Tri *m = r->m;
+  if (m->nv + 1 > m->cap_v || m->nv + 1 > r->cap_v) more_vertices(r);
+  VertId v = m->nv++;
+  m->xy[2 * (size_t)v] = r->at[0], m->xy[2 * (size_t)v + 1] = r->at[1];
+  r->size[v] = size;
+  if (r->carried) r->carried[v] = carried;
+  size_t n = r->rim.len;
+  DCHECK(n == r->dead.len + 2);
+  RimSide *rim = r->rim.data;
+  for (size_t i = 0; i < r->dead.len; i++) rim[i].tri = r->dead.data[i];
+  rim[n - 2].tri = fresh_triangle(m), rim[n - 1].tri = fresh_triangle(m);
+  uint32_t region = m->region ? m->region[rim[0].tri] : 0;
+  for (size_t i = 0; i < n; i++) {
+    RimSide *s = &rim[i], *next = &rim[i + 1 < n ? i + 1 : 0], *prev = &rim[i ? i - 1 : n - 1];
+    EdgeId e = 3 * s->tri;
+    m->vert[e] = s->a, m->vert[e + 1] = next->a, m->vert[e + 2] = v;
+    m->twin[e] = s->outer, m->twin[e + 1] = 3 * next->tri + 2, m->twin[e + 2] = 3 * prev->tri + 1;
+    m->twin[s->outer] = e;
+    m->flag[s->tri] = s->is_seg ? TRI_SEG_0 : 0;
+    if (s->is_seg) m->seg[e] = s->seg;
+    if (m->region) m->region[s->tri] = region;
+  }
+  r->stats->inserted++;
+  return v;
+}
+
+bool refine__go_on(Refiner *r)
+{
+  if (r->m->nv >= r->max_vertices) {
+    r->stats->outcome = REFINE_LIMIT;
+    return false;
+  }
+  if ((++r->ticks & 0x3fff) == 0 && r->p->cancel && r->p->cancel(r->p->cancel_ctx, -1)) {
+    r->stats->outcome = REFINE_CANCELLED;
+    return false;
+  }
+  return true;
+}
+
+// ---- entry -------------------------------------------------------------------------------------------------------
+
+static void clear_user_bits(Tri *m)
+{
+  for (TriId t = 0; t < m->nt; t++) m->flag[t] &= (uint8_t)~(REFINE_SMALL | REFINE_STUCK);
+}
+
+static void mark_fixed(Refiner *r)
+{
+  const Tri *m = r->m;
+  r->fixed = mem_zalloc(m->nv * sizeof *r->fixed);
+  for (EdgeId e = 0; e < 3 * m->nt; e++)
+    if (!tri_is_free(m, tri_of(e)) && tri_is_segment(m, e)) r->fixed[tri_org(m, e)] = r->fixed[tri_dest(m, e)] = true;
+  r->floor = 1 / 0.9;
+}
+
+TriRefineStats tri_refine(Tri *m, const TriRefineParams *p)
+{
+  TriRefineStats stats = {.outcome = REFINE_DONE};
+  if (m->dim != 2) return stats;
+  size_t cap = p->max_triangles ? p->max_triangles / 2 : TRI_MAX_VERTICES;
+  Refiner r = {.m = m, .p = p, .stats = &stats, .max_vertices = MIN(cap, (size_t)TRI_MAX_VERTICES)};
+  initial_sizes(&r);
+  free(m->hint); // insertion need not keep it up
+  m->hint = NULL;
+  clear_user_bits(m);
+  switch (p->algorithm) {
+  case REFINE_EMPTY: break;
+  case REFINE_ADAPT:
+  case REFINE_DELAUNAY: refine__delaunay(&r); break;
+  case REFINE_FRONTAL: refine__frontal(&r); break;
+  }
+  clear_user_bits(m);
+  tri_make_hints(m);
+  mark_fixed(&r);
+  if (p->algorithm != REFINE_EMPTY && stats.outcome != REFINE_CANCELLED) {
+    refine__smooth(&r, p->smoothing);
+    refine__optimize(&r, p->optimize);
+  }
+  m->last = 0;
+  free(r.size), free(r.carried), free(r.fixed);
+  vec_free(&r.rim), vec_free(&r.dead), vec_free(&r.stack);
+  return stats;
+}

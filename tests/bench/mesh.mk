@@ -1,0 +1,10 @@
+# mesh.mk - benches of refinement
+$(B)/bench/%: tests/bench/%.c $(LIB)
+	@mkdir -p $(@D)
+	@echo "CC   $<"
+	$(Q)$(CC) $(CFLAGS_ALL) -MF $@.d -MT $@ -o $@ $< $(LIB) $(LDFLAGS) -lstdc++ $(LIBS)
+
+.PHONY: bench-mesh
+## bench-mesh: our refinement and gmsh side by side: time and quality
+bench-mesh: $(B)/bench/bench_refine meshgen
+	bash tests/bench/mesh.sh $(B)/bench/bench_refine
