@@ -137,7 +137,8 @@ typedef struct {
   U32Vec rim;      // outer half-edges of the boundary, counterclockwise: edge k of the cavity runs from
                    // dest(rim[k]) to org(rim[k]); the new triangle on it is (dest(rim[k]), org(rim[k]), p)
   uint32_t seg;    // id of the segment being split, or NONE
-  uint32_t split;  // with seg: p is joined to its ends across rim[0] and rim[split]
+  uint32_t split;  // splitting: p is joined to the ends dest(rim[0]) and dest(rim[split]); NONE: to both ends of rim[0]
+  uint32_t tri_split; // splitting: tri[0 .. tri_split) are on one side of the edge, the others beyond; else 0
   U32Vec stack;    // scratch
 } TriCavity;
 void tri_cavity_free(TriCavity *c);
