@@ -9,6 +9,8 @@ build=build/${CONFIG:-release}
 export MESHGEN=$PWD/$build/meshgen ROOT=$PWD CONFIG=${CONFIG:-release}
 scratch=$(mktemp -d "${TMPDIR:-/tmp}/meshgen-tests.XXXXXX")
 export SCRATCH=$scratch
+# Memory that fontconfig (of cairo) keeps for the life of the process is no leak of ours.
+export LSAN_OPTIONS=suppressions=$PWD/tests/lsan.supp:print_suppressions=0
 passed=0 failed=0
 
 # run_tap NAME COMMAND... : run one TAP producer; a crash, a non-zero exit without "not ok", or no test at all is a failure

@@ -11,12 +11,12 @@
 
 // Several names may share an extension: the first row that has it is taken.
 static const Format table[] = {
-    {.name = "msh", .extensions = "msh", .help = "MSH 4.1, ASCII or binary", .flags = FORMAT_ORPHANS, .write = msh4__write},
-    {.name = "msh4", .extensions = "msh4", .help = "the same", .flags = FORMAT_ORPHANS, .write = msh4__write},
-    {.name = "msh41", .extensions = "msh41", .help = "the same", .flags = FORMAT_ORPHANS, .write = msh4__write},
-    {.name = "msh2", .extensions = "msh2", .help = "MSH 2.2, ASCII or binary", .write = msh2__write},
-    {.name = "msh22", .extensions = "msh22", .help = "the same", .write = msh2__write},
-    {.name = "msh1", .extensions = "msh1", .help = "MSH 1", .write = msh1__write},
+    {.name = "msh", .extensions = "msh", .help = "MSH 4.1, ASCII or binary", .flags = FORMAT_ORPHANS, .write = msh4__write, .read = msh__read},
+    {.name = "msh4", .extensions = "msh4", .help = "the same", .flags = FORMAT_ORPHANS, .write = msh4__write, .read = msh__read},
+    {.name = "msh41", .extensions = "msh41", .help = "the same", .flags = FORMAT_ORPHANS, .write = msh4__write, .read = msh__read},
+    {.name = "msh2", .extensions = "msh2", .help = "MSH 2.2, ASCII or binary", .write = msh2__write, .read = msh__read},
+    {.name = "msh22", .extensions = "msh22", .help = "the same", .write = msh2__write, .read = msh__read},
+    {.name = "msh1", .extensions = "msh1", .help = "MSH 1", .write = msh1__write, .read = msh__read},
     {.name = "vtk", .extensions = "vtk", .help = "legacy VTK, ASCII or binary", .write = vtk__write, .refuses = vtk__refuses},
     {.name = "png", .extensions = "png", .help = "picture of the mesh", .flags = FORMAT_ALL, .write = png__write},
     {.name = "svg", .extensions = "svg", .help = "picture of the mesh", .flags = FORMAT_ALL, .write = svg__write},
@@ -104,4 +104,58 @@ ExitCode out_write(const Mesh *m, const char *path, const char *format, const Ou
   }
   select__free(&s);
   return status;
+}
+
+// The format of a file by how it begins, where the extension does not tell; NULL if it is none that is known.
+static const Format *sniff(const char *text, size_t len)
+{
+  if (len >= 4 && memcmp(text, "$Mes", 4) == 0) return format_find("msh");
+  if (len >= 4 && memcmp(text, "$NOD", 4) == 0) return format_find("msh");
+  if (len >= 14 && memcmp(text, "# vtk DataFile", 14) == 0) return format_find("vtk");
+  return NULL;
+}
+
+static const Format *choose_reader(const char *path, const char *format, const char *text, size_t len, Diag *d)
+{
+  const Format *f;
+  if (format && *format && strcasecmp(format, "auto") != 0) {
+    f = format_find(format);
+    if (!f) diag_error(d, NO_LOC, "unknown mesh format '%s'", format);
+  } else {
+    f = sniff(text, len);
+    if (!f) f = format_of_path(path);
+    if (!f) diag_error(d, NO_LOC, "'%s': the format of this file is not known (name it with -format)", path);
+  }
+  if (f && !format_reads(f)) {
+    diag_error(d, NO_LOC, "'%s': format %s can be written, not read", path, f->name);
+    f = NULL;
+  }
+  return f;
+}
+
+Mesh *out_read_memory(const char *text, size_t len, const char *name, const char *format, Diag *d)
+{
+  const Format *f = choose_reader(name, format, text, len, d);
+  return f && f->read ? f->read(text, len, name, d) : NULL;
+}
+
+Mesh *out_read(const char *path, const char *format, Diag *d, ExitCode *status)
+{
+  ExitCode ignored;
+  if (!status) status = &ignored;
+  *status = EXIT_GOOD;
+  size_t len;
+  char *text = file_read(path, &len);
+  if (!text) {
+    diag_error(d, NO_LOC, "%s: %s", path, strerror(errno));
+    *status = EXIT_ENVIRONMENT;
+    return NULL;
+  }
+  const Format *f = choose_reader(path, format, text, len, d);
+  Mesh *m = NULL;
+  if (f && f->read) m = f->read(text, len, path, d);
+  else if (f) m = f->read_files(path, d, status);
+  if (!m && *status == EXIT_GOOD) *status = EXIT_INPUT;
+  free(text);
+  return m;
 }

@@ -52,6 +52,8 @@ void png__write(Writer *w, const Selection *s, const OutOptions *o);
 void svg__write(Writer *w, const Selection *s, const OutOptions *o);
 void pdf__write(Writer *w, const Selection *s, const OutOptions *o);
 
+Mesh *msh__read(const char *text, size_t len, const char *name, Diag *d);
+
 // $PhysicalNames of the MSH formats; nothing if no group has a name.
 void msh__write_names(Writer *w, const Mesh *m);
 // $MeshFormat with the byte-order mark of binary files.

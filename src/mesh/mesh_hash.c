@@ -1,0 +1,136 @@
+// mesh_hash.c - a fingerprint of a mesh that does not depend on format or numbering
+// SPDX-License-Identifier: MIT
+//
+// Each node is hashed from its coordinates, each element from its nodes' hashes in a canonical rotation, and the elements'
+// hashes are added up: addition does not know an order.
+#include "base/base.h"
+
+#include "mesh/mesh_hash.h"
+
+#include "mesh/element.h"
+
+static uint64_t mix(uint64_t z)
+{
+  z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ z >> 27) * 0x94d049bb133111ebu;
+  return z ^ z >> 31;
+}
+
+static uint64_t chain(uint64_t h, uint64_t x) { return mix((h ^ x) + 0x9e3779b97f4a7c15u); }
+
+static uint64_t double_bits(double v)
+{
+  uint64_t b;
+  v += 0.0; // -0 becomes 0
+  memcpy(&b, &v, sizeof b);
+  return b;
+}
+
+static void add(uint64_t sum[2], uint64_t h)
+{
+  sum[0] += mix(h ^ 0x5851f42d4c957f2du);
+  sum[1] += mix(h ^ 0x14057b7ef767814fu);
+}
+
+// Hash of an element whose node i is v[perm[i]].
+static uint64_t sequence(const uint64_t *node, const uint32_t *v, const uint8_t *perm, int n, uint64_t seed)
+{
+  uint64_t h = seed;
+  for (int i = 0; i < n; i++) h = chain(h, node[v[perm[i]]]);
+  return h;
+}
+
+// Of the element, reversed if flip: the rotation that begins at the corner of least hash.
+static uint64_t element_hash(const uint64_t *node, const uint32_t *v, uint8_t perm[4][ELEM_MAX_NODES], int n, int corners,
+                             uint64_t seed)
+{
+  int r = 0;
+  if (corners > 2)
+    for (int c = 1; c < corners; c++)
+      if (node[v[perm[0][c]]] < node[v[perm[0][r]]]) r = c;
+  // perm[r] rotates; for the reversed ones its first corner is corner r of perm[0].
+  return sequence(node, v, perm[r], n, seed);
+}
+
+typedef struct {
+  uint8_t perm[2][4][ELEM_MAX_NODES]; // [reversed][rotation]
+  int n, corners;
+} Symmetries;
+
+static void make_symmetries(Symmetries *s, ElemType t)
+{
+  s->corners = elem_corners(t);
+  for (int flip = 0; flip < 2; flip++) {
+    uint8_t all[4][ELEM_MAX_NODES];
+    for (int r = 0; r < 4; r++) s->n = elem_symmetry(t, s->corners > 2 ? r % s->corners : 0, flip, all[r]);
+    for (int c = 0; c < 4; c++) {
+      memcpy(s->perm[flip][c], all[0], sizeof all[0]);
+      // The rotation whose first corner is the c-th corner of the unrotated one.
+      for (int r = 0; r < s->corners && c < s->corners; r++)
+        if (all[r][0] == all[0][c]) memcpy(s->perm[flip][c], all[r], sizeof all[r]);
+    }
+  }
+}
+
+static void hash_block(const Mesh *m, const MeshBlock *k, const uint64_t *node, MeshHash *sum)
+{
+  const IntVec *groups = &m->entity[k->entity].physical;
+  Symmetries s;
+  make_symmetries(&s, k->type);
+  int first = groups->len ? groups->data[0] < 0 : 0;
+  uint64_t seed = mix((uint64_t)k->type);
+  for (size_t i = 0; i < k->n; i++) {
+    const uint32_t *v = k->node + i * (size_t)s.n;
+    uint64_t h[2] = {0, 0};
+    bool have[2] = {false, false};
+    for (size_t g = 0; g < MAX(groups->len, (size_t)1); g++) {
+      int tag = groups->len ? groups->data[g] : 0, flip = tag < 0;
+      if (!have[flip]) h[flip] = element_hash(node, v, s.perm[flip], s.n, s.corners, seed);
+      have[flip] = true;
+      if (g == 0) add(sum->shape, h[first]);
+      add(sum->groups, chain(h[flip], (uint64_t)abs(tag)));
+    }
+  }
+}
+
+static void hash_names(const Mesh *m, uint64_t sum[2])
+{
+  for (size_t g = 0; g < m->ngroup; g++) {
+    bool used = false;
+    for (size_t b = 0; b < m->nblock && m->group[g].name && !used; b++) {
+      const MeshEntity *e = &m->entity[m->block[b].entity];
+      for (size_t i = 0; m->block[b].n && e->dim == m->group[g].dim && i < e->physical.len; i++)
+        used |= abs(e->physical.data[i]) == m->group[g].tag;
+    }
+    if (!used) continue;
+    uint64_t h = chain((uint64_t)m->group[g].dim, (uint64_t)m->group[g].tag);
+    for (const char *p = m->group[g].name; *p; p++) h = chain(h, (unsigned char)*p);
+    add(sum, h);
+  }
+}
+
+MeshHash mesh_hash(const Mesh *m, bool save_all)
+{
+  MeshHash sum = {{0, 0}, {0, 0}, {0, 0}};
+  bool all = save_all || !mesh_is_grouped(m);
+  uint64_t *node = mem_alloc(m->nnode * sizeof *node);
+  for (size_t i = 0; i < m->nnode; i++) {
+    const double *x = m->xyz + 3 * i;
+    node[i] = chain(chain(chain(1, double_bits(x[0])), double_bits(x[1])), double_bits(x[2]));
+  }
+  for (size_t b = 0; b < m->nblock; b++)
+    if (all || m->entity[m->block[b].entity].physical.len) hash_block(m, &m->block[b], node, &sum);
+  free(node);
+  uint64_t names[2] = {0, 0};
+  hash_names(m, names);
+  for (int i = 0; i < 2; i++) {
+    sum.groups[i] = chain(sum.groups[i], sum.shape[i]);
+    sum.full[i] = chain(sum.groups[i], names[i]);
+  }
+  return sum;
+}
+
+void mesh_hash_print(const uint64_t h[2], char to[MESH_HASH_TEXT])
+{
+  snprintf(to, MESH_HASH_TEXT, "%016llx%016llx", (unsigned long long)h[0], (unsigned long long)h[1]);
+}

@@ -1,0 +1,59 @@
+// import.h - gathers what a reader finds, in any order and with any numbers, into a Mesh
+// SPDX-License-Identifier: MIT
+#ifndef OUT_IMPORT_H
+#define OUT_IMPORT_H
+
+#include "base/map.h"
+#include "mesh/element.h"
+#include "mesh/mesh.h"
+#include "out/scan.h"
+
+// Elements that followed each other with the same type, entity and group.
+typedef struct {
+  int dim, entity, physical; // physical: 0 for none, or where the entity tells
+  ElemType type;
+  size_t first, n;           // of its nodes in Import.node, and elements
+} ImportRun;
+
+typedef struct {
+  Scan *s;
+  Mesh *mesh;               // nodes are added to it as they come
+  U32Vec owner_dim;         // per node: dimension and tag of the entity the file puts it on; dimension NONE if it does not say
+  IntVec owner_tag;
+  uint64_t tag0;            // nodes are numbered tag0, tag0 + 1, ... as long as dense
+  bool dense;
+  Map index;                // of node tags, once they are not dense
+  U32Vec node;              // nodes of all elements
+  Vec(ImportRun) run;
+  Vec(MeshEntity) entity;   // that the file describes
+  size_t volumes;           // elements of dimension 3, left out
+} Import;
+
+void import_begin(Import *im, Scan *s);
+
+void import_node(Import *im, uint64_t tag, Vec3 x, int dim, int entity, double u);
+void import_reserve_nodes(Import *im, size_t n);
+uint32_t import_find_slow(Import *im, uint64_t tag);
+// Index of a node by its tag; an error if there is none.
+static inline uint32_t import_find(Import *im, uint64_t tag)
+{
+  uint64_t k = tag - im->tag0;
+  return im->dense && k < im->mesh->nnode ? (uint32_t)k : import_find_slow(im, tag);
+}
+
+// Begin an element: follow with elem_nodes(type) calls of import_element_node. A type of 0 or of dimension 3 is not allowed.
+void import_element(Import *im, ElemType type, int entity, int physical);
+static inline void import_element_node(Import *im, uint64_t tag) { vec_push(&im->node, import_find(im, tag)); }
+// Room for the nodes of n elements to come in this run, at the returned address.
+uint32_t *import_elements(Import *im, ElemType type, int entity, int physical, size_t n);
+
+// Describe an entity; valid until the next one. The caller may fill its box, groups and boundary.
+MeshEntity *import_entity(Import *im, int dim, int tag);
+void import_group(Import *im, int dim, int tag, const char *name);
+// Tag of the group of that name and dimension, made with the next free tag if it is new.
+int import_group_named(Import *im, int dim, const char *name);
+
+// Put all in order. Returns the mesh, or NULL if the scan failed; frees the rest.
+Mesh *import_finish(Import *im);
+
+#endif
