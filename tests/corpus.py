@@ -1,0 +1,211 @@
+# corpus.py - what corpus.sh runs: each file in its own folder copy of the tree, in parallel, with a time limit
+# SPDX-License-Identifier: MIT
+import argparse, concurrent.futures, csv, math, os, re, shutil, subprocess, sys, tempfile, time
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+
+
+def read_msh2(path):
+    """Nodes, elements (type, physical, entity, nodes) and names of an ASCII MSH 2.2 file."""
+    nodes, elems, names = {}, [], {}
+    with open(path, encoding="latin-1") as f:
+        lines = iter(f)
+        for line in lines:
+            if line.startswith("$PhysicalNames"):
+                for _ in range(int(next(lines))):
+                    m = re.match(r'(\d+) (\d+) "(.*)"', next(lines))
+                    names[int(m[1]), int(m[2])] = m[3]
+            elif line.startswith("$Nodes"):
+                for _ in range(int(next(lines))):
+                    w = next(lines).split()
+                    nodes[w[0]] = (float(w[1]), float(w[2]), float(w[3]))
+            elif line.startswith("$Elements"):
+                for _ in range(int(next(lines))):
+                    w = next(lines).split()
+                    k = int(w[2])
+                    elems.append((int(w[1]), int(w[3]), int(w[4]), w[3 + k:]))
+    return nodes, elems, names
+
+
+CORNERS = {15: 1, 1: 2, 8: 2, 26: 2, 2: 3, 9: 3, 20: 3, 21: 3, 3: 4, 10: 4, 16: 4, 36: 4, 39: 4}
+DIM = {15: 0, 1: 1, 8: 1, 26: 1, 2: 2, 9: 2, 20: 2, 21: 2, 3: 2, 10: 2, 16: 2, 36: 2, 39: 2}
+
+
+def measure(p):
+    if len(p) < 2:
+        return 0.0
+    if len(p) == 2:
+        return math.dist(p[0], p[1])
+    total = [0.0, 0.0, 0.0]
+    for i in range(1, len(p) - 1):
+        a = [p[i][k] - p[0][k] for k in range(3)]
+        b = [p[i + 1][k] - p[0][k] for k in range(3)]
+        total[0] += a[1] * b[2] - a[2] * b[1]
+        total[1] += a[2] * b[0] - a[0] * b[2]
+        total[2] += a[0] * b[1] - a[1] * b[0]
+    return 0.5 * math.hypot(*total)
+
+
+def summarize(path):
+    nodes, elems, names = read_msh2(path)
+    r = {"nodes": len(nodes), "points0d": 0, "lines": 0, "triangles": 0, "quads": 0, "groups": {}, "area": {}, "length": {}, "total": 0.0}
+    for t, phys, ent, n in elems:
+        d, p = DIM[t], [nodes[k] for k in n[: CORNERS[t]]]
+        size = measure(p)
+        key = "points0d" if d == 0 else "lines" if d == 1 else "triangles" if len(p) == 3 else "quads"
+        r[key] += 1
+        if phys:
+            r["groups"].setdefault((d, abs(phys)), names.get((d, abs(phys)), ""))
+        if d == 2:
+            r["area"][abs(phys)] = r["area"].get(abs(phys), 0) + size
+            r["total"] += size
+        if d == 1:
+            r["length"][abs(phys)] = r["length"].get(abs(phys), 0) + size
+    for (d, tag), name in names.items():
+        r["groups"].setdefault((d, tag), name)
+    return r
+
+
+def pairs(text):
+    return {int(k): float(v) for k, v in (w.split(":") for w in text.split(";") if w)}
+
+
+def compare(mine, ref):
+    """List of disagreements with a reference row: groups, areas per group, lengths per group, line counts apart."""
+    out = []
+    want = {}
+    for w in ref["phys_groups(dim:tag:name)"].split(";"):
+        if w:
+            d, tag, name = w.split(":", 2)
+            want[int(d), int(tag)] = name
+    got = {k: v for k, v in mine["groups"].items() if k[0] < 3}
+    if {k for k in want if k[0] < 3} - set(got) or set(got) - set(want):
+        out.append("groups: want %s, got %s" % (sorted(want)[:6], sorted(got)[:6]))
+    else:
+        bad = [k for k in want if k in got and want[k] and want[k] != got[k]]
+        if bad:
+            out.append("names of %s" % bad[:4])
+    if float(ref["total_area_2d"] or 0) > 0:
+        areas = pairs(ref["area_by_phys_surface(tag:area)"])
+        for tag in sorted(set(areas) | set(mine["area"])):
+            a, b = areas.get(tag, 0), mine["area"].get(tag, 0)
+            if abs(a - b) > 0.01 * max(a, b) + 1e-12:
+                out.append("area of group %d: %.8g, reference %.8g" % (tag, b, a))
+                break
+    return out
+
+
+def run_one(job):
+    path, opt = job
+    name = os.path.basename(path)
+    row = {"file": name, "parsed": "-", "meshed": "-", "audited": "-", "compared": "-", "note": "", "lines": "", "elements": ""}
+    scratch = tempfile.mkdtemp(prefix="meshgen-corpus.")
+    try:
+        # scripts write files beside themselves: run a copy, with the whole folder linked for Include
+        folder = os.path.dirname(os.path.abspath(path))
+        for f in os.listdir(folder):
+            if f != name:
+                os.symlink(os.path.join(folder, f), os.path.join(scratch, f))
+        shutil.copy(path, os.path.join(scratch, name))
+        prog = os.environ.get("MESHGEN", os.path.join(ROOT, "build/release/meshgen"))
+        msh = os.path.join(scratch, "out.msh2")
+
+        def go(args):
+            t = time.time()
+            try:
+                p = subprocess.run([prog] + args, cwd=scratch, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=opt.timeout)
+                code, err = p.returncode, p.stderr.decode("latin-1")
+            except subprocess.TimeoutExpired:
+                code, err = "timeout", "timeout"
+            row["seconds"] = time.time() - t
+            return code, err
+
+        def first(err):
+            lines = [l for l in err.splitlines() if "error" in l or "timeout" in l]
+            return (lines or err.splitlines() or [""])[0][:150]
+
+        code, err = go(["-parse_and_exit", "-v", "2", name])
+        if opt.bad:
+            row["parsed"] = "ok" if code == 0 else str(code)
+            if code == 0:
+                code, err = go(["-2", "-v", "2", name, "-o", msh, "-format", "msh2", "-no_report"])
+            positioned = re.search(r":\d+:\d+: error: ", err) is not None
+            row["meshed"] = str(code)
+            row["pass"] = code == 1 and positioned
+            row["note"] = first(err)
+            return row
+        row["parsed"] = "ok" if code == 0 else str(code)
+        if code != 0:
+            row["note"] = first(err)
+            return row
+        code, err = go(["-2", "-v", "2", name, "-o", msh, "-format", "msh2", "-no_report"] + opt.args.split())
+        row["meshed"] = "ok" if code == 0 else str(code)
+        if code != 0:
+            row["note"] = first(err)
+            return row
+        if not os.path.exists(msh):
+            row["pass"] = True
+            row["note"] = "the script ended the program"
+            return row
+        code, err = go(["check", msh])
+        row["audited"] = "ok" if code == 0 else str(code)
+        if code != 0:
+            row["note"] = first(err)
+        mine = summarize(msh)
+        row["elements"] = "%d+%d" % (mine["triangles"], mine["quads"])
+        row["lines"] = mine["lines"]
+        ref = opt.ref.get(name)
+        if ref and ref["exit"] == "0":
+            bad = compare(mine, ref)
+            row["compared"] = "ok" if not bad else "differs"
+            row["lines"] = "%d/%s" % (mine["lines"], ref["lines"])
+            row["elements"] = "%d+%d/%s+%s" % (mine["triangles"], mine["quads"], ref["triangles"], ref["quads"])
+            if bad:
+                row["note"] = "; ".join(bad)[:150]
+        row["pass"] = row["audited"] == "ok" and row["compared"] != "differs"
+        return row
+    except Exception as e:  # a broken output file is the program's failure, not the harness's
+        row["note"] = "harness: %r" % e
+        return row
+    finally:
+        shutil.rmtree(scratch, ignore_errors=True)
+
+
+def main():
+    ap = argparse.ArgumentParser()
+    ap.add_argument("folder")
+    ap.add_argument("--reference", action="append", default=[])
+    ap.add_argument("--jobs", type=int, default=os.cpu_count())
+    ap.add_argument("--timeout", type=float, default=60)
+    ap.add_argument("--args", default="")
+    ap.add_argument("--only", default="")
+    ap.add_argument("--all-names", action="store_true", help="also files that the reference does not list")
+    ap.add_argument("--bad", action="store_true")
+    opt = ap.parse_args()
+    opt.ref = {}
+    for r in opt.reference:
+        with open(r, encoding="utf-8") as f:
+            for row in csv.DictReader(f, delimiter="\t", quoting=csv.QUOTE_NONE):
+                if row["file"] not in opt.ref or opt.ref[row["file"]]["exit"] != "0":
+                    opt.ref[row["file"]] = row
+    files = sorted(f for f in os.listdir(opt.folder) if f.endswith(".geo") and opt.only in f)
+    if opt.ref and not opt.all_names:  # the rest are fragments that others include
+        files = [f for f in files if f in opt.ref]
+    jobs = [(os.path.join(opt.folder, f), opt) for f in files]
+    with concurrent.futures.ThreadPoolExecutor(opt.jobs) as ex:
+        rows = list(ex.map(run_one, jobs))
+    print("%-52s %-7s %-7s %-7s %-8s %13s %22s  %s" % ("file", "parsed", "meshed", "audited", "compared", "lines/ref", "tri+quad/ref", "note"))
+    for r in rows:
+        print("%-52s %-7s %-7s %-7s %-8s %13s %22s  %s" % (r["file"][:52], r["parsed"], r["meshed"], r["audited"], r["compared"], r["lines"], r["elements"], r["note"]))
+    good = sum(1 for r in rows if r.get("pass"))
+    count = lambda k: sum(1 for r in rows if r[k] == "ok")
+    same = [r for r in rows if "/" in str(r["lines"])]
+    print("%d files: %d parsed, %d meshed, %d audited, %d compared equal of %d with a reference; line counts equal on %d of %d"
+          % (len(rows), count("parsed"), count("meshed"), count("audited"), count("compared"), count("compared") + sum(1 for r in rows if r["compared"] == "differs"),
+             sum(1 for r in same if r["lines"].split("/")[0] == r["lines"].split("/")[1]), len(same)))
+    print("%d passed, %d failed" % (good, len(rows) - good))
+    return 0 if good == len(rows) and rows else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
