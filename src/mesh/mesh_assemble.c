@@ -1,0 +1,127 @@
+// mesh_assemble.c - points, curve meshes and face meshes put together into one Mesh
+// SPDX-License-Identifier: MIT
+#include "base/base.h"
+
+#include "mesh/mesh2d.h"
+
+static void set_box(MeshEntity *e, Box3 b)
+{
+  e->lo = b.lo;
+  e->hi = b.hi;
+}
+
+static Box3 box_union(Box3 a, Vec3 lo, Vec3 hi) { return box3_with(box3_with(a, lo), hi); }
+
+static void add_entities(Mesh *mesh, const Model *m)
+{
+  for (size_t k = 0; k < model_points(m); k++) {
+    const Point *p = model_point_at(m, k);
+    uint32_t e = mesh_add_entity(mesh, 0, p->tag);
+    set_box(&mesh->entity[e], box3_with(box3_empty(), p->xyz));
+  }
+  for (size_t k = 0; k < model_curves(m); k++) {
+    const Curve *c = model_curve_at(m, k);
+    MeshEntity *e = &mesh->entity[mesh_add_entity(mesh, 1, c->tag)];
+    set_box(e, curve_bounds(m, c));
+    vec_push(&e->boundary, c->begin);
+    vec_push(&e->boundary, -c->end);
+  }
+  for (size_t k = 0; k < model_faces(m); k++) {
+    const Face *f = model_face_at(m, k);
+    uint32_t id = mesh_add_entity(mesh, 2, f->tag);
+    IntVec curve = {0}, start = {0};
+    face_boundary(m, f, &curve, &start);
+    Box3 box = box3_empty();
+    for (size_t i = 0; i < curve.len; i++) {
+      uint32_t c = mesh_find_entity(mesh, 1, abs(curve.data[i]));
+      if (c != NONE) box = box_union(box, mesh->entity[c].lo, mesh->entity[c].hi);
+    }
+    MeshEntity *e = &mesh->entity[id];
+    set_box(e, box);
+    e->boundary = curve;
+    for (size_t i = 0; i < f->embedded_curves.len; i++) vec_push(&e->embedded, f->embedded_curves.data[i]);
+    vec_free(&start);
+  }
+}
+
+static void add_groups(Mesh *mesh, const Model *m)
+{
+  for (size_t k = 0; k < model_groups(m); k++) {
+    const Group *g = model_group_at(m, k);
+    if (g->dim > 2) continue;
+    mesh_add_group(mesh, g->dim, g->tag, g->name);
+    for (size_t i = 0; i < g->entity.len; i++) {
+      int tag = g->entity.data[i];
+      uint32_t e = mesh_find_entity(mesh, g->dim, abs(tag));
+      if (e != NONE) vec_push(&mesh->entity[e].physical, tag < 0 ? -g->tag : g->tag);
+    }
+  }
+}
+
+static void add_points(Mesh *mesh, const Model *m)
+{
+  for (size_t k = 0; k < model_points(m); k++) {
+    mesh_add_node(mesh, model_point_at(m, k)->xyz, (uint32_t)k, NAN);
+    uint32_t b = mesh_add_block(mesh, (uint32_t)k, ELEM_POINT, 1);
+    mesh->block[b].node[0] = (uint32_t)k;
+  }
+}
+
+static void add_curves(Mesh *mesh, const Model *m, const Mesh1d *curves, const EdgeNodes *en)
+{
+  size_t np = model_points(m);
+  for (size_t k = 0; k < model_curves(m); k++) {
+    const CurveMesh *cm = &curves->curve[k];
+    uint32_t entity = (uint32_t)(np + k);
+    for (size_t i = 1; i + 1 < cm->n; i++) mesh_add_node(mesh, cm->p[i], entity, cm->u[i]);
+    if (cm->n < 2) continue;
+    uint32_t b = mesh_add_block(mesh, entity, ELEM_LINE2, cm->n - 1);
+    uint32_t *node = mesh->block[b].node;
+    bool reverse = model_curve_at(m, k)->reverse_mesh;
+    for (size_t i = 0; i + 1 < cm->n; i++) {
+      node[2 * i + reverse] = edge_nodes_at(en, m, curves, k, i);
+      node[2 * i + 1 - reverse] = edge_nodes_at(en, m, curves, k, i + 1);
+    }
+  }
+}
+
+// Elements of `nodes_per` nodes each, mirrored if the face is to be seen from the other side.
+static void add_elements(Mesh *mesh, uint32_t entity, ElemType type, const uint32_t *from, size_t n, uint32_t edge_nodes,
+                         uint32_t first_own, bool mirror)
+{
+  if (!n) return;
+  uint32_t b = mesh_add_block(mesh, entity, type, n);
+  uint32_t *to = mesh->block[b].node;
+  size_t k = (size_t)elem_nodes(type);
+  for (size_t i = 0; i < n; i++)
+    for (size_t j = 0; j < k; j++) {
+      uint32_t v = from[k * i + j];
+      to[k * i + (mirror ? (k - j) % k : j)] = v < edge_nodes ? v : first_own + (v - edge_nodes);
+    }
+}
+
+static void add_faces(Mesh *mesh, const Model *m, const EdgeNodes *en, const FaceMesh *face, bool keep_orientation)
+{
+  size_t before = model_points(m) + model_curves(m);
+  for (size_t k = 0; k < model_faces(m); k++) {
+    const Face *f = model_face_at(m, k);
+    const FaceMesh *fm = &face[k];
+    uint32_t entity = (uint32_t)(before + k), first = (uint32_t)mesh->nnode, base = (uint32_t)en->n;
+    for (size_t i = 0; i < fm->nown; i++) mesh_add_node(mesh, fm->own[i], entity, NAN);
+    bool from_below = f->planar && f->normal.x == 0 && f->normal.y == 0 && f->normal.z < 0;
+    bool mirror = (from_below && !keep_orientation) != f->reverse_mesh;
+    add_elements(mesh, entity, ELEM_TRI3, fm->tri, fm->ntri, base, first, mirror);
+    add_elements(mesh, entity, ELEM_QUAD4, fm->quad, fm->nquad, base, first, mirror);
+  }
+}
+
+Mesh *mesh_assemble(const Model *m, const Mesh1d *curves, const EdgeNodes *en, const FaceMesh *face, bool keep_orientation)
+{
+  Mesh *mesh = mesh_new();
+  add_entities(mesh, m);
+  add_groups(mesh, m);
+  add_points(mesh, m);
+  if (curves) add_curves(mesh, m, curves, en);
+  if (curves && face) add_faces(mesh, m, en, face, keep_orientation);
+  return mesh;
+}

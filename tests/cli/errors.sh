@@ -1,0 +1,69 @@
+# errors.sh - bad input: a message with a place, the documented exit status, no output file
+. "$(dirname "$0")/lib.sh"
+
+cat >undefined_point.geo <<'END'
+Point(1) = {0, 0, 0, 1};
+Line(1) = {1, 99};
+END
+exits 1 "undefined point: exit status" "$MESHGEN" -2 undefined_point.geo -o x.msh
+says "undefined_point.geo:2:" "undefined point: position"
+says "99" "undefined point: names the point"
+absent "undefined point: no output" x.msh
+
+cat >open_loop.geo <<'END'
+Point(1) = {0, 0, 0, 1};
+Point(2) = {1, 0, 0, 1};
+Point(3) = {1, 1, 0, 1};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Curve Loop(5) = {1, 2};
+Plane Surface(6) = {5};
+END
+exits 1 "open loop: exit status" "$MESHGEN" -2 open_loop.geo -o x.msh
+says "open_loop.geo:6:" "open loop: position"
+says "error:" "open loop: is an error"
+absent "open loop: no output" x.msh
+
+exits 3 "missing file: exit status" "$MESHGEN" -2 no_such_file.geo -o x.msh
+says "no_such_file.geo" "missing file: names it"
+absent "missing file: no output" x.msh
+
+exits 3 "unwritable output: exit status" "$MESHGEN" -2 "$ROOT/geo/conge.geo" -clscale 4 -o no/such/folder/x.msh
+says "no/such/folder/x.msh" "unwritable output: names it"
+
+exits 3 "full disk: exit status" "$MESHGEN" -2 "$ROOT/geo/conge.geo" -clscale 4 -format msh4 -o /dev/full
+says "/dev/full" "full disk: names the file"
+
+printf 'Point(1) = {0, 0, 0};\nPoint(2) = {0, 0 0};\nPoint(3) = {1, 1, 1};\n' >syntax.geo
+exits 1 "syntax error: exit status" "$MESHGEN" -2 syntax.geo -o x.msh
+says "syntax.geo:2:" "syntax error: position"
+says "^" "syntax error: caret"
+absent "syntax error: no output" x.msh
+
+cat >crossing.geo <<'END'
+Point(1) = {0, 0, 0, 1};
+Point(2) = {1, 1, 0, 1};
+Point(3) = {1, 0, 0, 1};
+Point(4) = {0, 1, 0, 1};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4};
+Plane Surface(1) = {1};
+END
+exits 1 "crossing curves: exit status" "$MESHGEN" -2 crossing.geo -o x.msh
+says "0.5, 0.5" "crossing curves: names the point"
+says "crossing.geo:5:" "crossing curves: names the line"
+absent "crossing curves: no output" x.msh
+
+exits 2 "unknown switch" "$MESHGEN" -clscal 2 a.geo
+says "-clscale" "unknown switch: did you mean"
+exits 2 "missing argument" "$MESHGEN" -clscale
+exits 2 "no input" "$MESHGEN" -2
+exits 1 "option out of range" "$MESHGEN" -2 "$ROOT/geo/conge.geo" -clscale 0 -o x.msh
+exits 2 "unknown format" "$MESHGEN" -2 "$ROOT/geo/conge.geo" -format nonsense -o x.msh
+exits 2 "unknown extension" "$MESHGEN" -2 "$ROOT/geo/conge.geo" -o x.nonsense
+exits 0 "version" "$MESHGEN" -version
+exits 0 "help" "$MESHGEN" --help
+prints "-clscale" "help lists switches"
