@@ -179,6 +179,16 @@ void options_init(Options *o)
   for (size_t i = 0; i < ARRAY_LEN(rows); i++) store(o, &rows[i], rows[i].def);
 }
 
+void options_copy(Options *to, const Options *from)
+{
+  *to = *from;
+  for (size_t i = 0; i < ARRAY_LEN(rows); i++) {
+    if (rows[i].kind != OPT_STR) continue;
+    char **s = (char **)(void *)((char *)to + rows[i].offset);
+    if (*s) *s = mem_strdup(*s);
+  }
+}
+
 void options_free(Options *o)
 {
   for (size_t i = 0; i < ARRAY_LEN(rows); i++) {

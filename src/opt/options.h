@@ -47,6 +47,7 @@ typedef struct {
 // Defaults. The strings of an Options belong to it; release with options_free.
 void options_init(Options *o);
 void options_free(Options *o);
+void options_copy(Options *to, const Options *from); // to is uninitialized before
 
 // All rows, ordered by category and key within kinds.
 const OptRow *options_rows(size_t *n);
