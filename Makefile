@@ -157,6 +157,11 @@ coverage:
 	$(Q)CONFIG=cov tests/run.sh quick
 	$(Q)gcovr -r . --object-directory build/cov src 2>/dev/null | tail -40
 
+## man: rewrite the generated part of meshgen.1 from the tables
+.PHONY: man
+man: all
+	$(Q)sh tests/update-man.sh $(PROGRAM)
+
 # ---- installing ---------------------------------------------------------------------------------------------------
 .PHONY: install uninstall clean help
 ## install: program and manual page under prefix (DESTDIR is honoured)

@@ -21,23 +21,23 @@ static void drop_mesh(Job *j)
 {
   mesh_free(j->mesh);
   j->mesh = NULL;
-  if (j->have_curves) mesh1d_free(&j->curves);
-  j->have_curves = false;
+  mesh1d_free(j->curves);
+  j->curves = NULL;
   j->mesh_dim = -1;
 }
 
-static void mesh_faces(Job *j, const SizeContext *size, const EdgeNodes *en)
+static void mesh_faces(Job *j, const SizeField *size, const EdgeNodes *en)
 {
   size_t n = model_faces(j->model);
   FaceMesh *face = mem_zalloc(n * sizeof *face);
-  Mesh2dInput in = {.model = j->model, .options = &j->options, .size = size, .curves = &j->curves, .diag = j->diag,
+  Mesh2dInput in = {.model = j->model, .options = &j->options, .size = size, .curves = j->curves, .diag = j->diag,
                     .threads = j->threads};
   stage_begin(&j->stats, "mesh 2D");
   j->failed_faces = mesh2d_run(&in, en, face);
   stage_end(&j->stats);
   if (!j->failed_faces || j->cli->keep_going) {
     stage_begin(&j->stats, "assemble");
-    j->mesh = mesh_assemble(j->model, &j->curves, en, face, j->options.Mesh_KeepOrientation);
+    j->mesh = mesh_assemble(j->model, j->curves, en, face, j->options.Mesh_KeepOrientation);
     stage_end(&j->stats);
   }
   for (size_t k = 0; k < n; k++) face_mesh_free(&face[k]);
@@ -53,19 +53,18 @@ static bool generate(Job *j, int dim)
   stage_end(&j->stats);
   if (!good) return false;
   if (dim == 3) log_info(j->diag, "volumes are not meshed: meshing points, curves and surfaces only");
-  SizeContext *size = size_new(j->model, &j->options, j->fields, j->diag);
+  SizeField *size = size_new(j->model, &j->options, j->fields, j->diag);
   if (!size) return false;
   stage_begin(&j->stats, "mesh 1D");
-  good = mesh1d_run(j->model, &j->options, size, j->threads, &j->curves, j->diag);
-  j->have_curves = true;
+  j->curves = mesh1d_new(j->model, &j->options, size, j->diag);
   stage_end(&j->stats);
-  if (good) {
+  if (j->curves) {
     EdgeNodes en;
-    edge_nodes_init(&en, j->model, &j->curves);
+    edge_nodes_init(&en, j->model, j->curves);
     if (dim >= 2)
       mesh_faces(j, size, &en);
     else
-      j->mesh = mesh_assemble(j->model, dim >= 1 ? &j->curves : NULL, &en, NULL, false);
+      j->mesh = mesh_assemble(j->model, dim >= 1 ? j->curves : NULL, &en, NULL, false);
     edge_nodes_free(&en);
   }
   size_free(size);

@@ -11,6 +11,7 @@
 #include "model/model.h"
 #include "script/script.h"
 #include "size/field.h"
+#include "size/size.h"
 
 // All that belongs to one input. Nothing is shared between jobs, so that a batch may run them in parallel.
 typedef struct {
@@ -23,8 +24,7 @@ typedef struct {
   ScriptHost host;
   Diag *diag;
   Stats stats;
-  Mesh1d curves;
-  bool have_curves;
+  Mesh1d *curves;
   Mesh *mesh;        // what -1, -2, `Mesh n;` or a mesh file gave; NULL before
   int mesh_dim;      // of the last meshing; -1: none
   size_t failed_faces;

@@ -45,20 +45,6 @@ static uint32_t point_node(const Model *m, int tag)
   return lo < model_points(m) && model_point_at(m, lo)->tag == tag ? (uint32_t)lo : NONE;
 }
 
-static size_t curve_index(const Model *m, int tag)
-{
-  size_t lo = 0, hi = model_curves(m);
-  if (tag < 0) tag = -tag;
-  while (lo < hi) {
-    size_t mid = (lo + hi) / 2;
-    if (model_curve_at(m, mid)->tag < tag)
-      lo = mid + 1;
-    else
-      hi = mid;
-  }
-  return lo;
-}
-
 uint32_t edge_nodes_at(const EdgeNodes *en, const Model *m, const Mesh1d *curves, size_t k, size_t i)
 {
   const Curve *c = model_curve_at(m, k);
@@ -74,6 +60,7 @@ typedef struct {
   FaceMesh *face;
   Diag **diag;       // one collecting sink per face
   size_t *order;     // faces, largest first
+  SizeEval **eval;   // one per worker
 } Driver;
 
 // The plane straight-line graph of a face. Local vertex i is global node node[i] at xy[2i], xy[2i+1].
@@ -112,7 +99,7 @@ static uint32_t graph_vertex(Graph *g, const Face *f, const EdgeNodes *en, uint3
 static void graph_add_curve(Graph *g, const Driver *d, const Face *f, int tag, bool embedded)
 {
   const Model *m = d->in->model;
-  size_t k = curve_index(m, tag);
+  size_t k = mesh1d_index(d->in->curves, tag);
   const CurveMesh *cm = &d->in->curves->curve[k];
   for (size_t i = 0; i + 1 < cm->n; i++) {
     uint32_t a = graph_vertex(g, f, d->nodes, edge_nodes_at(d->nodes, m, d->in->curves, k, i));
@@ -266,18 +253,7 @@ static bool empty_mesh(Tri *t, const Graph *g, const Driver *d, const Face *f, D
   return good && embedded_inside(t, g, f, diag);
 }
 
-typedef struct {
-  const SizeContext *size;
-  const Face *face;
-} SizeHere;
-
-static double size_here(void *ctx, Vec2 q)
-{
-  const SizeHere *s = ctx;
-  return size_in_face(s->size, s->face, face_from_plane(s->face, q));
-}
-
-static TriRefineParams refine_params(const Driver *d, const Face *f, SizeHere *here)
+static TriRefineParams refine_params(const Driver *d, const Face *f, SizeInPlane *here)
 {
   const Options *o = d->in->options;
   TriRefineParams p = tri_refine_defaults();
@@ -291,7 +267,7 @@ static TriRefineParams refine_params(const Driver *d, const Face *f, SizeHere *h
   }
   int extend = f->size_from_boundary >= 0 ? f->size_from_boundary : o->Mesh_MeshSizeExtendFromBoundary;
   p.extend_from_boundary = extend == 1 || extend == 2 || extend == -2;
-  p.size = size_here;
+  p.size = size_in_plane;
   p.size_ctx = here;
   p.smoothing = o->Mesh_Smoothing;
   p.optimize = o->Mesh_OptimizeLevel;
@@ -327,16 +303,17 @@ static void extract(const Tri *t, const Graph *g, const Driver *d, const Face *f
   free(id);
 }
 
-static void mesh_plane_face(const Driver *d, const Face *f, FaceMesh *out, Diag *diag)
+static void mesh_plane_face(const Driver *d, const Face *f, SizeEval *eval, FaceMesh *out, Diag *diag)
 {
   Graph g = {0};
   graph_build(&g, d, f);
   Tri t;
   tri_init(&t);
   if (empty_mesh(&t, &g, d, f, diag)) {
-    SizeHere here = {d->in->size, f};
+    SizeInPlane here = {eval, f};
     TriRefineParams p = refine_params(d, f, &here);
     TriRefineStats s = tri_refine(&t, &p);
+    size_eval_report(eval, diag);
     if (s.outcome == REFINE_LIMIT) {
       diag_error(diag, f->loc, "surface %d would have more than %zu triangles (Mesh.MaxElements, -max_elements)", f->tag,
                  p.max_triangles);
@@ -354,12 +331,11 @@ static void mesh_plane_face(const Driver *d, const Face *f, FaceMesh *out, Diag 
 // ---- all faces --------------------------------------------------------------------------------------------------------
 static void mesh_one(void *ctx, size_t i, int worker)
 {
-  (void)worker;
   Driver *d = ctx;
   size_t k = d->order[i];
   const Face *f = model_face_at(d->in->model, k);
   check_context("mesh 2D", f->tag);
-  mesh_plane_face(d, f, &d->face[k], d->diag[k]);
+  mesh_plane_face(d, f, d->eval[worker], &d->face[k], d->diag[k]);
 }
 
 typedef struct {
@@ -384,7 +360,7 @@ static size_t *order_of_faces(const Mesh2dInput *in)
     face_boundary(in->model, model_face_at(in->model, k), &curve, &start);
     double edges = 0;
     for (size_t i = 0; i < curve.len; i++)
-      edges += (double)in->curves->curve[curve_index(in->model, curve.data[i])].n;
+      edges += (double)in->curves->curve[mesh1d_index(in->curves, curve.data[i])].n;
     work[k] = (Work){edges, k};
     vec_free(&curve);
     vec_free(&start);
@@ -398,7 +374,9 @@ static size_t *order_of_faces(const Mesh2dInput *in)
 size_t mesh2d_run(const Mesh2dInput *in, const EdgeNodes *nodes, FaceMesh *face)
 {
   size_t n = model_faces(in->model), failed = 0;
-  Driver d = {in, nodes, face, mem_alloc(n * sizeof(Diag *)), order_of_faces(in)};
+  int workers = thread_count(in->threads);
+  Driver d = {in, nodes, face, mem_alloc(n * sizeof(Diag *)), order_of_faces(in), mem_alloc((size_t)workers * sizeof(SizeEval *))};
+  for (int w = 0; w < workers; w++) d.eval[w] = size_eval_new(in->size);
   for (size_t k = 0; k < n; k++) {
     face[k] = (FaceMesh){0};
     d.diag[k] = diag_child(in->diag);
@@ -408,6 +386,8 @@ size_t mesh2d_run(const Mesh2dInput *in, const EdgeNodes *nodes, FaceMesh *face)
     diag_merge(in->diag, d.diag[k]);
     failed += face[k].failed;
   }
+  for (int w = 0; w < workers; w++) size_eval_free(d.eval[w]);
+  free(d.eval);
   free(d.diag);
   free(d.order);
   return failed;

@@ -32,7 +32,7 @@ typedef struct {
 typedef struct {
   const Model *model;       // prepared
   const Options *options;
-  const SizeContext *size;
+  const SizeField *size;
   const Mesh1d *curves;
   Diag *diag;
   int threads;
