@@ -7,6 +7,7 @@
 
 #include "base/diag.h"
 #include "base/file.h"
+#include "base/json.h"
 #include "base/map.h"
 #include "base/mem.h"
 #include "base/number.h"
@@ -161,6 +162,26 @@ static void diagnostics_are_counted_and_merged_in_order(void **state)
   diag_free(d);
 }
 
+static void json_is_well_formed(void **state)
+{
+  (void)state;
+  Json j = {0};
+  json_begin(&j, NULL, '{');
+  json_number(&j, "a", 0.1);
+  json_string(&j, "b", "x\"\\\n\xe9");
+  json_begin(&j, "c", '[');
+  json_integer(&j, NULL, -3);
+  json_bool(&j, NULL, true);
+  json_end(&j, ']');
+  json_begin(&j, "d", '[');
+  json_end(&j, ']');
+  json_number(&j, "e", NAN);
+  json_end(&j, '}');
+  assert_string_equal(str_text(&j.out), "{\n  \"a\": 0.1,\n  \"b\": \"x\\\"\\\\\\u000a\\u00e9\",\n  \"c\": [\n    -3,\n    true\n  ],\n"
+                                        "  \"d\": [],\n  \"e\": null\n}");
+  str_free(&j.out);
+}
+
 static void add_one(void *ctx, size_t i, int worker)
 {
   (void)worker;
@@ -188,6 +209,7 @@ int main(void)
       cmocka_unit_test(arena_memory_is_zeroed_and_apart),
       cmocka_unit_test(nearest_names_are_suggested),
       cmocka_unit_test(diagnostics_are_counted_and_merged_in_order),
+      cmocka_unit_test(json_is_well_formed),
       cmocka_unit_test(parallel_loop_visits_each_item_once),
   };
   return unit_run(tests);
