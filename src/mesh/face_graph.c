@@ -1,0 +1,190 @@
+// face_graph.c - the plane straight-line graph of a face, and the empty mesh made of it
+// SPDX-License-Identifier: MIT
+#include "base/base.h"
+
+#include "mesh/face_graph.h"
+
+void face_graph_free(FaceGraph *g)
+{
+  map_free(&g->local);
+  vec_free(&g->node);
+  vec_free(&g->xy);
+  vec_free(&g->ends);
+  vec_free(&g->curve);
+  vec_free(&g->embedded);
+}
+
+static uint32_t graph_vertex(FaceGraph *g, const Face *f, const EdgeNodes *en, uint32_t node)
+{
+  bool added;
+  uint32_t *slot = map_slot(&g->local, node, (uint32_t)g->node.len, &added);
+  if (added) {
+    Vec2 q = face_to_plane(f, en->xyz[node]);
+    vec_push(&g->node, node);
+    vec_push(&g->xy, q.x);
+    vec_push(&g->xy, q.y);
+  }
+  return *slot;
+}
+
+// What a graph is built from.
+typedef struct {
+  const Model *model;
+  const Mesh1d *curves;
+  const EdgeNodes *nodes;
+} Source;
+
+static void graph_add_curve(FaceGraph *g, const Source *s, const Face *f, int tag, bool embedded)
+{
+  size_t k = mesh1d_index(s->curves, tag);
+  const CurveMesh *cm = &s->curves->curve[k];
+  for (size_t i = 0; i + 1 < cm->n; i++) {
+    uint32_t a = graph_vertex(g, f, s->nodes, edge_nodes_at(s->nodes, s->model, s->curves, k, i));
+    uint32_t b = graph_vertex(g, f, s->nodes, edge_nodes_at(s->nodes, s->model, s->curves, k, i + 1));
+    vec_push(&g->ends, a);
+    vec_push(&g->ends, b);
+    vec_push(&g->curve, tag < 0 ? -tag : tag);
+    vec_push(&g->embedded, embedded);
+  }
+}
+
+static int compare_abs(const void *a, const void *b)
+{
+  int x = abs(*(const int *)a), y = abs(*(const int *)b);
+  return (x > y) - (x < y);
+}
+
+void face_graph_add(FaceGraph *g, const Model *m, const Face *f, const Mesh1d *curves, const EdgeNodes *nodes)
+{
+  Source s = {m, curves, nodes};
+  IntVec curve = {0}, start = {0};
+  face_boundary(m, f, &curve, &start);
+  qsort(curve.data, curve.len, sizeof *curve.data, compare_abs);
+  for (size_t i = 0, j; i < curve.len; i = j) {
+    for (j = i; j < curve.len && abs(curve.data[j]) == abs(curve.data[i]);) j++;
+    graph_add_curve(g, &s, f, curve.data[i], (j - i) % 2 == 0);
+  }
+  for (size_t i = 0; i < f->embedded_curves.len; i++) {
+    int tag = f->embedded_curves.data[i];
+    if (!curve.len || !bsearch(&tag, curve.data, curve.len, sizeof tag, compare_abs)) graph_add_curve(g, &s, f, tag, true);
+  }
+  for (size_t i = 0; i < f->embedded_points.len; i++) {
+    uint32_t node = edge_nodes_point(m, f->embedded_points.data[i]);
+    if (node != NONE) graph_vertex(g, f, nodes, node);
+  }
+  vec_free(&curve);
+  vec_free(&start);
+}
+
+static SrcLoc curve_loc(const Model *m, int tag)
+{
+  const Curve *c = model_curve(m, tag);
+  return c ? c->loc : NO_LOC;
+}
+
+static void report_crossing(const Model *m, const Face *f, const FaceGraph *g, const TriSegEvent *e, Diag *diag)
+{
+  int a = g->curve.data[e->a], b = e->b == NONE ? 0 : g->curve.data[e->b];
+  Vec3 p = face_from_plane(f, (Vec2){e->p[0], e->p[1]});
+  const char *what = e->what == TRI_SEG_CROSSES ? "crosses" : "runs along";
+  if (a == b)
+    diag_error(diag, curve_loc(m, a), "curve %d %s itself at (%g, %g, %g), on surface %d", a, what, p.x, p.y, p.z, f->tag);
+  else
+    diag_error(diag, curve_loc(m, a), "curve %d %s curve %d at (%g, %g, %g), on surface %d", a, what, b, p.x, p.y, p.z,
+               f->tag);
+  if (a != b && b) diag_note(diag, curve_loc(m, b), "curve %d is defined here", b);
+}
+
+// Force the segments; false after errors. One message per pair of curves, three at most.
+static bool recover(Tri *t, const FaceGraph *g, const Model *m, const Face *f, Diag *diag)
+{
+  TriSegEvents events = {0};
+  tri_insert_segments(t, g->ends.data, NULL, g->curve.len, &events);
+  int said = 0;
+  Map pairs = {0};
+  for (size_t i = 0; i < events.len; i++) {
+    const TriSegEvent *e = &events.data[i];
+    if (e->what == TRI_SEG_CROSSES || e->what == TRI_SEG_OVERLAPS) {
+      bool fresh;
+      uint32_t ca = (uint32_t)g->curve.data[e->a], cb = e->b == NONE ? 0 : (uint32_t)g->curve.data[e->b];
+      map_slot(&pairs, map_pair(ca, cb), 1, &fresh);
+      if (fresh && said++ < 3) report_crossing(m, f, g, e, diag);
+    } else if (e->what == TRI_SEG_VERTEX) {
+      Vec3 p = face_from_plane(f, (Vec2){tri_xy(t, e->v)[0], tri_xy(t, e->v)[1]});
+      if (said++ < 3)
+        diag_error(diag, curve_loc(m, g->curve.data[e->a]),
+                   "curve %d passes through a node that is not its own at (%g, %g, %g), on surface %d",
+                   g->curve.data[e->a], p.x, p.y, p.z, f->tag);
+    }
+  }
+  map_free(&pairs);
+  vec_free(&events);
+  return said == 0;
+}
+
+// Embedded points and curves must lie in the face: every segment and vertex needs a triangle of the face beside it.
+static bool embedded_inside(const Tri *t, const FaceGraph *g, const Face *f, Diag *diag)
+{
+  bool *seen = mem_zalloc((g->node.len + g->curve.len) * sizeof *seen), good = true;
+  for (TriId k = 0; k < t->nt; k++) {
+    if (!tri_is_inside(t, k)) continue;
+    for (EdgeId e = 3 * k; e < 3 * k + 3; e++) {
+      if (t->vert[e] < g->node.len) seen[t->vert[e]] = true;
+      if (tri_is_segment(t, e)) seen[g->node.len + t->seg[e]] = true;
+    }
+  }
+  for (size_t i = 0; i < g->curve.len && good; i++) {
+    if (seen[g->node.len + i]) continue;
+    const double *p = &g->xy.data[2 * g->ends.data[2 * i]];
+    Vec3 q = face_from_plane(f, (Vec2){p[0], p[1]});
+    diag_error(diag, f->loc, "%s curve %d is outside surface %d near (%g, %g, %g)",
+               g->embedded.data[i] ? "embedded" : "boundary", g->curve.data[i], f->tag, q.x, q.y, q.z);
+    good = false;
+  }
+  for (size_t i = 0; i < g->node.len && good; i++) {
+    if (seen[i]) continue;
+    Vec3 q = face_from_plane(f, (Vec2){g->xy.data[2 * i], g->xy.data[2 * i + 1]});
+    diag_error(diag, f->loc, "embedded point at (%g, %g, %g) is outside surface %d", q.x, q.y, q.z, f->tag);
+    good = false;
+  }
+  free(seen);
+  return good;
+}
+
+// Distinct nodes at one place cannot both be vertices: name the place.
+static bool no_duplicates(const U32Vec *dup, const FaceGraph *g, const Face *f, Diag *diag)
+{
+  if (!dup->len) return true;
+  const double *p = &g->xy.data[2 * dup->data[0]];
+  Vec3 q = face_from_plane(f, (Vec2){p[0], p[1]});
+  diag_error(diag, f->loc, "surface %d has %zu nodes that coincide with others, the first at (%g, %g, %g)", f->tag,
+             dup->len, q.x, q.y, q.z);
+  diag_note(diag, NO_LOC, "curves that are to be joined must share their end points; Coherence; merges equal ones");
+  return false;
+}
+
+bool face_graph_mesh(const FaceGraph *g, const Model *m, const Face *f, Tri *t, Diag *diag)
+{
+  U32Vec dup = {0};
+  TriBuild how = {.threads = 1, .duplicates = &dup};
+  TriBuildResult r = tri_build(t, g->xy.data, g->node.len, &how);
+  bool good = r == TRI_BUILD_GOOD;
+  if (r == TRI_BUILD_NOT_FINITE)
+    diag_error(diag, f->loc, "surface %d has a node whose coordinates are not finite numbers", f->tag);
+  if (r == TRI_BUILD_TOO_MANY) diag_error(diag, f->loc, "surface %d has too many nodes", f->tag);
+  good = good && no_duplicates(&dup, g, f, diag);
+  vec_free(&dup);
+  if (good && t->dim < 2) {
+    diag_error(diag, f->loc, "surface %d has no area: all its boundary nodes lie on a line", f->tag);
+    good = false;
+  }
+  good = good && recover(t, g, m, f, diag);
+  if (good) {
+    TriCarve carve = {.embedded = g->embedded.data, .even_odd = true};
+    if (tri_carve(t, &carve) == 0) {
+      diag_error(diag, f->loc, "surface %d has no area", f->tag);
+      good = false;
+    }
+  }
+  return good && embedded_inside(t, g, f, diag);
+}
