@@ -7,6 +7,7 @@
 void face_graph_free(FaceGraph *g)
 {
   map_free(&g->local);
+  map_free(&g->has_curve);
   vec_free(&g->node);
   vec_free(&g->xy);
   vec_free(&g->ends);
@@ -36,6 +37,9 @@ typedef struct {
 
 static void graph_add_curve(FaceGraph *g, const Source *s, const Face *f, int tag, bool embedded)
 {
+  bool fresh;
+  map_slot(&g->has_curve, (uint64_t)abs(tag), 1, &fresh);
+  if (!fresh) return;
   size_t k = mesh1d_index(s->curves, tag);
   const CurveMesh *cm = &s->curves->curve[k];
   for (size_t i = 0; i + 1 < cm->n; i++) {
@@ -163,7 +167,7 @@ static bool no_duplicates(const U32Vec *dup, const FaceGraph *g, const Face *f, 
   return false;
 }
 
-bool face_graph_mesh(const FaceGraph *g, const Model *m, const Face *f, Tri *t, Diag *diag)
+bool face_graph_recover(const FaceGraph *g, const Model *m, const Face *f, Tri *t, Diag *diag)
 {
   U32Vec dup = {0};
   TriBuild how = {.threads = 1, .duplicates = &dup};
@@ -174,17 +178,20 @@ bool face_graph_mesh(const FaceGraph *g, const Model *m, const Face *f, Tri *t, 
   if (r == TRI_BUILD_TOO_MANY) diag_error(diag, f->loc, "surface %d has too many nodes", f->tag);
   good = good && no_duplicates(&dup, g, f, diag);
   vec_free(&dup);
-  if (good && t->dim < 2) {
-    diag_error(diag, f->loc, "surface %d has no area: all its boundary nodes lie on a line", f->tag);
+  if (good && t->dim != 2) {
+    diag_error(diag, f->loc, "surface %d has no area: its boundary nodes lie on a line", f->tag);
     good = false;
   }
-  good = good && recover(t, g, m, f, diag);
-  if (good) {
-    TriCarve carve = {.embedded = g->embedded.data, .even_odd = true};
-    if (tri_carve(t, &carve) == 0) {
-      diag_error(diag, f->loc, "surface %d has no area", f->tag);
-      good = false;
-    }
+  return good && recover(t, g, m, f, diag);
+}
+
+bool face_graph_mesh(const FaceGraph *g, const Model *m, const Face *f, Tri *t, Diag *diag)
+{
+  if (!face_graph_recover(g, m, f, t, diag)) return false;
+  TriCarve carve = {.embedded = g->embedded.data, .even_odd = true};
+  if (tri_carve(t, &carve) == 0) {
+    diag_error(diag, f->loc, "surface %d has no area", f->tag);
+    return false;
   }
-  return good && embedded_inside(t, g, f, diag);
+  return embedded_inside(t, g, f, diag);
 }

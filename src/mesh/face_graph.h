@@ -18,6 +18,7 @@ typedef struct {
   U32Vec ends;
   IntVec curve;       // per segment: tag of its curve
   Vec(bool) embedded; // per segment: inside the face, does not bound it
+  Map has_curve;      // tags of the curves added so far
 } FaceGraph;
 
 // Add boundary curves (one that the loops run along twice is a slit and lies inside), embedded curves and points of f. Curves that
@@ -29,5 +30,8 @@ void face_graph_free(FaceGraph *g);
 // t from tri_init; vertex ids are the graph's, segment ids too. False after errors (crossing or overlapping curves, coinciding
 // nodes, embedded entities outside, no area), which name curves and places.
 bool face_graph_mesh(const FaceGraph *g, const Model *m, const Face *f, Tri *t, Diag *diag);
+
+// The first half of that: triangulate and recover the segments; nothing is carved.
+bool face_graph_recover(const FaceGraph *g, const Model *m, const Face *f, Tri *t, Diag *diag);
 
 #endif

@@ -19,9 +19,8 @@ typedef struct {
   SizeEval **eval;   // one per worker
 } Driver;
 
-static TriRefineParams refine_params(const Driver *d, const Face *f, SizeInPlane *here)
+TriRefineParams mesh2d_refine_params(const Options *o, const Face *f, SizeInPlane *here)
 {
-  const Options *o = d->in->options;
   TriRefineParams p = tri_refine_defaults();
   int algorithm = f->algorithm ? f->algorithm : o->Mesh_Algorithm;
   switch (algorithm) {
@@ -77,7 +76,7 @@ static void mesh_plane_face(const Driver *d, const Face *f, SizeEval *eval, Face
   tri_init(&t);
   if (face_graph_mesh(&g, d->in->model, f, &t, diag)) {
     SizeInPlane here = {eval, f};
-    TriRefineParams p = refine_params(d, f, &here);
+    TriRefineParams p = mesh2d_refine_params(d->in->options, f, &here);
     TriRefineStats s = tri_refine(&t, &p);
     size_eval_report(eval, diag);
     if (s.outcome == REFINE_LIMIT) {

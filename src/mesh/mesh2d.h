@@ -11,6 +11,7 @@
 #include "model/model.h"
 #include "opt/options.h"
 #include "size/size.h"
+#include "tri/refine.h"
 
 // Everything mesh2d needs to know; all outlive the call.
 typedef struct {
@@ -25,6 +26,9 @@ typedef struct {
 // Mesh every face: the largest first, in parallel, results and messages in ascending order of tag. face[] gets one
 // entry per face of the model (model_face_at); free each with face_mesh_free. Returns the number of faces that failed.
 size_t mesh2d_run(const Mesh2dInput *in, const EdgeNodes *nodes, FaceMesh *face);
+
+// The refinement that options and the face's own attributes ask for; `here` evaluates sizes and must outlive the use.
+TriRefineParams mesh2d_refine_params(const Options *o, const Face *f, SizeInPlane *here);
 
 // Put points, curves and faces together: entities with their boxes, boundaries and groups, nodes, elements. face may be NULL
 // (only curves), curves too (only points). With keep_orientation elements of faces with normal -z stay clockwise.

@@ -1,0 +1,14 @@
+// mesh2d_joint.h - faces of one plane meshed as one triangulation, where boundary edges may have to be split
+// SPDX-License-Identifier: MIT
+#ifndef MESH_MESH2D_JOINT_H
+#define MESH_MESH2D_JOINT_H
+
+#include "mesh/mesh2d.h"
+
+// Mesh.MinimumAngle and Mesh.ConformingDelaunay split edges of the boundary, for all faces on a curve alike. So all faces of a
+// plane are meshed in one triangulation; the curves' meshes and `nodes` are changed to the result. Faces that overlap, and curves
+// shared by faces of different planes, are errors. Curves with prescribed nodes (transfinite, periodic, copied, layers) stay whole.
+// face[] as in mesh2d_run. Returns the number of faces that failed.
+size_t mesh2d_joint_run(const Mesh2dInput *in, Mesh1d *curves, EdgeNodes *nodes, FaceMesh *face);
+
+#endif
