@@ -48,6 +48,7 @@ typedef struct {
   uint32_t cap_v;   // entries of the two
   size_t max_vertices;
   uint64_t ticks;
+  uint16_t *degree; // by vertex: edges, or what they would be
   bool *fixed;      // by vertex: on a segment; made for the optimization
   double floor;     // 1/kappa_4^2 that a triangle may rise to while its star gets better
 
