@@ -77,6 +77,10 @@ bool refine__go_on(Refiner *r);
 void refine__delaunay(Refiner *r);
 void refine__frontal(Refiner *r);
 
+// ---- tri_renumber.c
+// Number triangles, and vertices from `first` on, along a Hilbert curve. Drops the hints. O(n).
+void refine__renumber(Refiner *r, VertId first);
+
 // ---- optimization
 void refine__smooth(Refiner *r, int passes);
 // Improve the position of interior vertex v; true if it moved.

@@ -6,7 +6,7 @@
 #include <string.h>
 
 // A triangle is refined while its adimensional size, sqrt(3) R / h [book eq. 4.19], is above this.
-#define LIMIT 1.333
+#define LIMIT 1.36
 
 enum { NKEYS = 250 };
 
@@ -41,7 +41,7 @@ static void consider(Queue *q, TriId t)
   double x = excess2(q->r, t);
   q->key[t] = 0;
   if (x <= 1) return;
-  int k = refine__key(x, 21, NKEYS);
+  int k = refine__key(x, 24, NKEYS);
   q->key[t] = (uint8_t)(k + 1);
   vec_push(&q->stack[k], t);
   if (k > q->top) q->top = k;

@@ -228,6 +228,7 @@ TriRefineStats tri_refine(Tri *m, const TriRefineParams *p)
   size_t cap = p->max_triangles ? p->max_triangles / 2 : TRI_MAX_VERTICES;
   Refiner r = {.m = m, .p = p, .stats = &stats, .max_vertices = MIN(cap, (size_t)TRI_MAX_VERTICES)};
   initial_sizes(&r);
+  VertId given = m->nv;
   free(m->hint); // insertion need not keep it up
   m->hint = NULL;
   clear_user_bits(m);
@@ -238,6 +239,7 @@ TriRefineStats tri_refine(Tri *m, const TriRefineParams *p)
   case REFINE_FRONTAL: refine__frontal(&r); break;
   }
   clear_user_bits(m);
+  refine__renumber(&r, given);
   tri_make_hints(m);
   mark_fixed(&r);
   if (p->algorithm != REFINE_EMPTY && stats.outcome != REFINE_CANCELLED) {
