@@ -48,8 +48,11 @@ typedef struct {
   uint32_t cap_v;   // entries of the two
   size_t max_vertices;
   uint64_t ticks;
-  uint16_t *degree; // by vertex: edges, or what they would be
-  bool *fixed;      // by vertex: on a segment; made for the optimization
+
+  // For the optimization, by vertex.
+  bool *fixed;      // on a segment, or isolated
+  uint8_t *awake;   // its star is worth a visit
+  int16_t *excess;  // edges more than six; 0 on segments
   double floor;     // 1/kappa_4^2 that a triangle may rise to while its star gets better
 
   // The cavity being built.
@@ -82,6 +85,9 @@ void refine__frontal(Refiner *r);
 void refine__renumber(Refiner *r, VertId first);
 
 // ---- optimization
+// Make hints and the arrays by vertex.
+void refine__prepare(Refiner *r);
+// Passes of repositioning over the vertices awake.
 void refine__smooth(Refiner *r, int passes);
 // Improve the position of interior vertex v; true if it moved.
 bool refine__relocate(Refiner *r, VertId v);

@@ -16,7 +16,8 @@ typedef struct {
 
 // Front edges wait in stacks by the size of their triangle, largest first: fronts then leave the finest places first, where a
 // dislocation costs least, and one front outruns the others where the size is uniform, so that one lattice fills the face.
-enum { NKEYS = 640 };
+// The first layer along the segments goes before the rest, so that every boundary has triangles aligned with it.
+enum { NKEYS = 704, HEAD_START = 64 }; // 16 keys to the octave of the squared size
 
 typedef struct {
   Refiner *r;
@@ -48,7 +49,8 @@ static void push(Front *f, EdgeId e)
 {
   const Tri *m = f->r->m;
   FrontEdge edge = {e, tri_org(m, e), tri_dest(m, e)};
-  int k = refine__key(excess2(f->r, tri_of(e)), 19, NKEYS);
+  int k = refine__key(excess2(f->r, tri_of(e)), 19, NKEYS - HEAD_START);
+  if (tri_is_segment(m, e)) k += HEAD_START;
   vec_push(&f->stack[k], edge);
   if (k > f->top) f->top = k;
 }

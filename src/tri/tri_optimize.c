@@ -3,16 +3,14 @@
 #include "base/base.h"
 #include "tri/refine_int.h"
 
-enum { MAX_PATCH = 256 };
-
-// Edges at v more than the ideal six (at an interior vertex) or than its angle calls for (at one on segments).
-static int excess(const Refiner *r, VertId v) { return (int)r->degree[v] - 6; }
+// A star is worth a visit if one of its triangles has 1/kappa_4^2 above this: a lattice is left alone.
+#define GOOD 1.005
 
 typedef struct {
-  double sum, worst;
+  double sum, worst; // of 1/kappa_4^2
 } Worth;
 
-// Sum and largest of 1/kappa_4^2 over the triangles about the four vertices.
+// Sum and largest over the triangles about four vertices.
 static Worth patch_worth(const Tri *m, const VertId *q)
 {
   Worth w = {0, 0};
@@ -26,7 +24,7 @@ static Worth patch_worth(const Tri *m, const VertId *q)
         double x = metric_quality(tri_xy(m, q[k]), tri_xy(m, b), tri_xy(m, c));
         double f = x > 0 ? 1 / x : INFINITY;
         w.sum += f;
-        w.worst = fmax(w.worst, f);
+        w.worst = f > w.worst ? f : w.worst;
       }
       e = tri_ccw(m, e);
     } while (e != first);
@@ -37,18 +35,23 @@ static Worth patch_worth(const Tri *m, const VertId *q)
 static void flip(Refiner *r, EdgeId e)
 {
   Tri *m = r->m;
-  r->degree[tri_org(m, e)]--, r->degree[tri_dest(m, e)]--;
-  r->degree[tri_apex(m, e)]++, r->degree[tri_apex(m, m->twin[e])]++;
+  r->excess[tri_org(m, e)]--, r->excess[tri_dest(m, e)]--;
+  r->excess[tri_apex(m, e)]++, r->excess[tri_apex(m, m->twin[e])]++;
   tri_flip(m, e);
 }
 
-// Flip e if that brings the valences of its four vertices nearer to six and, after repositioning them, is better.
+// An edge inside the domain, named once.
+static inline bool flippable(const Tri *m, EdgeId e)
+{
+  return m->twin[e] > e && !(m->flag[tri_of(e)] & (TRI_OUTSIDE_FLAG | TRI_FREE)) && !tri_is_segment(m, e);
+}
+
+// Flip e if that brings the valences of its four vertices nearer to what they should be and, after repositioning them, the
+// triangles around are better.
 static bool repair_by_flip(Refiner *r, EdgeId e)
 {
   Tri *m = r->m;
-  EdgeId o = m->twin[e];
-  VertId q[4] = {tri_org(m, e), tri_dest(m, e), tri_apex(m, e), tri_apex(m, o)};
-  if (excess(r, q[0]) + excess(r, q[1]) - excess(r, q[2]) - excess(r, q[3]) < 3) return false;
+  VertId q[4] = {tri_org(m, e), tri_dest(m, e), tri_apex(m, e), tri_apex(m, m->twin[e])};
   if (!tri_can_flip(m, e)) return false;
   Worth before = patch_worth(m, q);
   double xy[8], size[4];
@@ -56,16 +59,16 @@ static bool repair_by_flip(Refiner *r, EdgeId e)
     xy[2 * k] = m->xy[2 * (size_t)q[k]], xy[2 * k + 1] = m->xy[2 * (size_t)q[k] + 1];
     size[k] = r->size[q[k]];
   }
-  uint64_t moves = r->stats->moves;
-  flip(r, e);
+  size_t moves = r->stats->moves;
   double floor = r->floor;
-  r->floor = INFINITY; // the flip may have made it bad at first
+  flip(r, e);
+  r->floor = INFINITY; // the flip may have made them bad at first
   for (int pass = 0; pass < 3; pass++)
     for (int k = 0; k < 4; k++)
       if (!r->fixed[q[k]]) refine__relocate(r, q[k]);
   r->floor = floor;
   Worth after = patch_worth(m, q);
-  if (after.sum < before.sum && after.worst <= fmax(before.worst, r->floor)) {
+  if (after.sum < before.sum && after.worst <= (before.worst > floor ? before.worst : floor)) {
     r->stats->flips++;
     return true;
   }
@@ -78,18 +81,20 @@ static bool repair_by_flip(Refiner *r, EdgeId e)
   return false;
 }
 
+// Flip edges that are not locally Delaunay where that makes the worse of the two triangles better.
 static size_t quality_flips(Refiner *r)
 {
   Tri *m = r->m;
   size_t n = 0;
   for (EdgeId e = 0; e < 3 * m->nt; e++) {
+    if (!flippable(m, e)) continue;
     EdgeId o = m->twin[e];
-    if (o < e || (m->flag[tri_of(e)] & (TRI_OUTSIDE_FLAG | TRI_FREE)) || tri_is_segment(m, e)) continue;
+    if (!(r->awake[tri_org(m, e)] | r->awake[tri_dest(m, e)])) continue;
     const double *a = tri_xy(m, tri_org(m, e)), *b = tri_xy(m, tri_dest(m, e));
     const double *c = tri_xy(m, tri_apex(m, e)), *d = tri_xy(m, tri_apex(m, o));
     if (incircle(a, b, c, d) <= 0) continue;
-    double q = fmin(metric_quality(a, b, c), metric_quality(b, a, d));
-    if (fmin(metric_quality(c, d, b), metric_quality(d, c, a)) <= q + 1e-6) continue;
+    double q = metric_quality(a, b, c), s = metric_quality(b, a, d), worse = q < s ? q : s;
+    if (metric_quality(c, d, b) <= worse + 1e-6 || metric_quality(d, c, a) <= worse + 1e-6) continue;
     if (!tri_can_flip(m, e)) continue;
     flip(r, e);
     n++;
@@ -103,28 +108,58 @@ static size_t repair_valences(Refiner *r)
   Tri *m = r->m;
   size_t n = 0;
   for (EdgeId e = 0; e < 3 * m->nt; e++) {
-    if (m->twin[e] < e || (m->flag[tri_of(e)] & (TRI_OUTSIDE_FLAG | TRI_FREE)) || tri_is_segment(m, e)) continue;
-    n += repair_by_flip(r, e);
+    if (!flippable(m, e)) continue;
+    int a = r->excess[tri_org(m, e)], b = r->excess[tri_dest(m, e)];
+    if (a + b < 1) continue; // the apexes have at least -1 each but where a triangle is very bad
+    int c = r->excess[tri_apex(m, e)], d = r->excess[tri_apex(m, m->twin[e])];
+    if (a + b - c - d >= 3) n += repair_by_flip(r, e);
   }
   return n;
 }
 
-static void count_degrees(Refiner *r)
+// Edges at a vertex more than six; of vertices on segments, whose angles decide, nothing is known.
+static void count_excess(Refiner *r)
 {
   const Tri *m = r->m;
-  r->degree = mem_zalloc(m->nv * sizeof *r->degree);
+  r->excess = mem_alloc(m->nv * sizeof *r->excess);
+  for (VertId v = 0; v < m->nv; v++) r->excess[v] = -6;
   for (EdgeId e = 0; e < 3 * m->nt; e++)
-    if (tri_is_inside(m, tri_of(e)) && r->degree[m->vert[e]] < 60000) r->degree[m->vert[e]]++;
-  // a vertex on the boundary: as if it were inside a mesh that goes on
-  for (VertId v = 0; v < m->nv; v++) if (r->fixed[v]) r->degree[v] = 6;
+    if (tri_is_inside(m, tri_of(e)) && r->excess[m->vert[e]] < 10000) r->excess[m->vert[e]]++;
+  for (VertId v = 0; v < m->nv; v++)
+    if (r->fixed[v]) r->excess[v] = 0;
+}
+
+void refine__prepare(Refiner *r)
+{
+  Tri *m = r->m;
+  tri_make_hints(m);
+  r->fixed = mem_zalloc(m->nv * sizeof *r->fixed);
+  r->awake = mem_zalloc(m->nv * sizeof *r->awake);
+  double worst = 1;
+  for (TriId t = 0; t < m->nt; t++) {
+    if (!tri_is_inside(m, t)) continue;
+    const uint32_t *v = m->vert + 3 * (size_t)t;
+    double q = metric_quality(tri_xy(m, v[0]), tri_xy(m, v[1]), tri_xy(m, v[2]));
+    if (q * GOOD < 1) r->awake[v[0]] = r->awake[v[1]] = r->awake[v[2]] = 1;
+    if (q < worst) worst = q;
+    for (EdgeId e = 3 * t; e < 3 * t + 3; e++)
+      if (tri_is_segment(m, e)) r->fixed[tri_org(m, e)] = r->fixed[tri_dest(m, e)] = true;
+  }
+  for (VertId v = 0; v < m->nv; v++)
+    if (m->hint[v] == NONE) r->fixed[v] = true;
+  // A triangle may get worse while its star gets better, down to 0.9, but none below the worst of all.
+  r->floor = worst < 0.9 ? 1 / 0.9 : 1 / worst;
+  count_excess(r);
 }
 
 void refine__optimize(Refiner *r, int level)
 {
-  count_degrees(r);
-  for (int k = 0; k < level; k++) {
-    quality_flips(r);
+  if (level <= 0) return;
+  int rounds = level == 1 ? 2 : 8;
+  for (int k = 0; k < rounds; k++) {
+    size_t flips = quality_flips(r) + repair_valences(r);
+    size_t moves = r->stats->moves;
     refine__smooth(r, 1);
-    if (getenv("VR")) fprintf(stderr, "repaired %zu\n", repair_valences(r));
+    if (flips == 0 && r->stats->moves == moves) break;
   }
 }

@@ -212,15 +212,6 @@ static void clear_user_bits(Tri *m)
   for (TriId t = 0; t < m->nt; t++) m->flag[t] &= (uint8_t)~(REFINE_SMALL | REFINE_STUCK);
 }
 
-static void mark_fixed(Refiner *r)
-{
-  const Tri *m = r->m;
-  r->fixed = mem_zalloc(m->nv * sizeof *r->fixed);
-  for (EdgeId e = 0; e < 3 * m->nt; e++)
-    if (!tri_is_free(m, tri_of(e)) && tri_is_segment(m, e)) r->fixed[tri_org(m, e)] = r->fixed[tri_dest(m, e)] = true;
-  r->floor = 1 / 0.9;
-}
-
 TriRefineStats tri_refine(Tri *m, const TriRefineParams *p)
 {
   TriRefineStats stats = {.outcome = REFINE_DONE};
@@ -240,14 +231,13 @@ TriRefineStats tri_refine(Tri *m, const TriRefineParams *p)
   }
   clear_user_bits(m);
   refine__renumber(&r, given);
-  tri_make_hints(m);
-  mark_fixed(&r);
+  refine__prepare(&r);
   if (p->algorithm != REFINE_EMPTY && stats.outcome != REFINE_CANCELLED) {
     refine__smooth(&r, p->smoothing);
     refine__optimize(&r, p->optimize);
   }
   m->last = 0;
-  free(r.size), free(r.carried), free(r.fixed);
+  free(r.size), free(r.carried), free(r.fixed), free(r.awake), free(r.excess);
   vec_free(&r.rim), vec_free(&r.dead), vec_free(&r.stack);
   return stats;
 }

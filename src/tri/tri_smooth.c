@@ -5,21 +5,29 @@
 
 enum { MAX_RING = 32 }; // vertices with more neighbours stay where they are
 
-// The star of an interior vertex, for trying positions. Around v the ring of neighbours x, y counterclockwise (ring[n] = ring[0]).
+// How much the lengths of edges count against the shapes of triangles, in the worth of a position and in the ideal one.
+// They let the efficiency index gain without the shapes losing.
+#define LENGTH_WEIGHT 1.0
+#define LENGTH_PULL 0.3
+
+// The star of an interior vertex v, for trying positions: its neighbours counterclockwise, the first again at the end.
 typedef struct {
   int n;
   VertId id[MAX_RING + 1];
   double x[MAX_RING + 1], y[MAX_RING + 1];
-  double base[MAX_RING];     // length of the side from ring j to j+1
+  double inv[MAX_RING + 1]; // half of 1/h there
+  double base[MAX_RING];    // length of the side from neighbour j to j+1
 } Star;
 
-// What a position is worth: the sum and the largest of 1/kappa_4^2 over the star; infinite if a triangle is not positive.
+// What a position is worth, the less the better: the sum of 1/kappa_4^2 over the star and of l + 1/l - 2 over its edges; and
+// the largest 1/kappa_4^2. Infinite if a triangle is not positive.
 typedef struct {
   double sum, worst;
 } Worth;
 
-static bool gather(const Tri *m, VertId v, Star *s)
+static bool gather(const Refiner *r, VertId v, Star *s)
 {
+  const Tri *m = r->m;
   EdgeId first = m->hint[v], e = first;
   int n = 0;
   do {
@@ -27,11 +35,12 @@ static bool gather(const Tri *m, VertId v, Star *s)
     VertId u = tri_dest(m, e);
     s->id[n] = u;
     s->x[n] = m->xy[2 * (size_t)u], s->y[n] = m->xy[2 * (size_t)u + 1];
+    s->inv[n] = 0.5 / r->size[u];
     n++;
     e = tri_ccw(m, e);
   } while (e != first);
   s->n = n;
-  s->id[n] = s->id[0], s->x[n] = s->x[0], s->y[n] = s->y[0];
+  s->id[n] = s->id[0], s->x[n] = s->x[0], s->y[n] = s->y[0], s->inv[n] = s->inv[0];
   for (int j = 0; j < n; j++) {
     double u = s->x[j + 1] - s->x[j], w = s->y[j + 1] - s->y[j];
     s->base[j] = sqrt(u * u + w * w);
@@ -39,31 +48,33 @@ static bool gather(const Tri *m, VertId v, Star *s)
   return true;
 }
 
-static Worth worth(const Star *s, double px, double py, double *each)
+static Worth worth(const Star *s, double px, double py, double h, double *each)
 {
   Worth w = {0, 0};
-  double ux = s->x[0] - px, uy = s->y[0] - py, lu = sqrt(ux * ux + uy * uy);
+  double inv = 0.5 / h, ux = s->x[0] - px, uy = s->y[0] - py, lu = sqrt(ux * ux + uy * uy);
   for (int j = 0; j < s->n; j++) {
     double vx = s->x[j + 1] - px, vy = s->y[j + 1] - py, lv = sqrt(vx * vx + vy * vy);
     double d = ux * vy - uy * vx, b = s->base[j];
     double f = d > 0 ? lu * lv * b * (lu + lv + b) / (4 * d * d) : INFINITY;
     if (each) each[j] = f;
-    w.sum += f;
+    double len = lu * (inv + s->inv[j]);
+    w.sum += f + LENGTH_WEIGHT * (len + 1 / len - 2);
     w.worst = f > w.worst ? f : w.worst;
     ux = vx, uy = vy, lu = lv;
   }
   return w;
 }
 
-// The mean of the points that would make each triangle of the star equilateral, the bad ones weighing more.
-static void ideal(const Star *s, const double *each, double *p)
+// The mean of the points that would make each triangle of the star equilateral, or nearly, with sides nearer to h; the bad ones
+// weigh more.
+static void ideal(const Star *s, double h, const double *each, double *p)
 {
   double sx = 0, sy = 0, sw = 0;
   for (int j = 0; j < s->n; j++) {
-    double w = each[j];
+    double w = each[j], k = 0.5 * METRIC_SQRT3 * (1 - LENGTH_PULL + LENGTH_PULL * h / s->base[j]);
     double dx = s->x[j + 1] - s->x[j], dy = s->y[j + 1] - s->y[j];
-    sx += w * (0.5 * (s->x[j] + s->x[j + 1]) - 0.5 * METRIC_SQRT3 * dy);
-    sy += w * (0.5 * (s->y[j] + s->y[j + 1]) + 0.5 * METRIC_SQRT3 * dx);
+    sx += w * (0.5 * (s->x[j] + s->x[j + 1]) - k * dy);
+    sy += w * (0.5 * (s->y[j] + s->y[j + 1]) + k * dx);
     sw += w;
   }
   p[0] = sx / sw, p[1] = sy / sw;
@@ -84,31 +95,43 @@ static bool lengths_kept(const Refiner *r, const Star *s, VertId v, const double
   return true;
 }
 
-// Improve the position of v. True if it moved.
+// What v brings along when it moves to p. The size carried from the boundary stays: moves are short.
+static double size_moved(const Refiner *r, VertId v, const double *p)
+{
+  if (!r->p->size) return r->size[v];
+  double h = r->p->size(r->p->size_ctx, (Vec2){p[0], p[1]});
+  return r->carried && r->carried[v] < h ? r->carried[v] : h;
+}
+
+static void move(Refiner *r, const Star *s, VertId v, const double *p, double h)
+{
+  double *at = r->m->xy + 2 * (size_t)v;
+  double far = 0.01 * r->size[v];
+  if (metric_distance2(at, p) > far * far) {
+    r->awake[v] = 1;
+    for (int j = 0; j < s->n; j++) r->awake[s->id[j]] = 1;
+  }
+  at[0] = p[0], at[1] = p[1];
+  r->size[v] = h;
+  r->stats->moves++;
+}
+
 bool refine__relocate(Refiner *r, VertId v)
 {
-  Tri *m = r->m;
   Star s;
-  double each[MAX_RING], p[2], x = m->xy[2 * (size_t)v], y = m->xy[2 * (size_t)v + 1];
-  if (!gather(m, v, &s)) return false;
-  Worth w = worth(&s, x, y, each);
-  if (w.worst < 1.0005) return false;
-  ideal(&s, each, p);
-  double limit = fmax(w.worst, r->floor);
+  double each[MAX_RING], p[2];
+  const double x = r->m->xy[2 * (size_t)v], y = r->m->xy[2 * (size_t)v + 1];
+  if (!gather(r, v, &s)) return false;
+  Worth w = worth(&s, x, y, r->size[v], each);
+  ideal(&s, r->size[v], each, p);
+  double limit = w.worst > r->floor ? w.worst : r->floor;
   for (int k = 0; k < 2; k++) {
-    Worth n = worth(&s, p[0], p[1], NULL);
-    if (n.sum < w.sum && n.worst <= limit) {
-      double h = r->size[v];
-      if (r->p->size) {
-        h = r->p->size(r->p->size_ctx, (Vec2){p[0], p[1]});
-        if (r->carried) h = fmin(h, r->carried[v]);
-      }
-      if (lengths_kept(r, &s, v, p, h)) {
-        m->xy[2 * (size_t)v] = p[0], m->xy[2 * (size_t)v + 1] = p[1];
-        r->size[v] = h;
-        r->stats->moves++;
-        return true;
-      }
+    double h = size_moved(r, v, p);
+    Worth n = worth(&s, p[0], p[1], h, NULL);
+    // worst < 1e8 leaves the sign of every area beyond doubt in floating point.
+    if (n.sum < w.sum && n.worst <= limit && n.worst < 1e8 && lengths_kept(r, &s, v, p, h)) {
+      move(r, &s, v, p, h);
+      return true;
     }
     p[0] = 0.5 * (p[0] + x), p[1] = 0.5 * (p[1] + y);
   }
@@ -118,7 +141,11 @@ bool refine__relocate(Refiner *r, VertId v)
 void refine__smooth(Refiner *r, int passes)
 {
   Tri *m = r->m;
-  for (int k = 0; k < passes; k++)
-    for (VertId v = 0; v < m->nv; v++)
-      if (m->hint[v] != NONE && !r->fixed[v]) refine__relocate(r, v);
+  for (int k = 0; k < passes; k++) {
+    for (VertId v = 0; v < m->nv; v++) {
+      if (!r->awake[v]) continue;
+      r->awake[v] = 0;
+      if (!r->fixed[v]) refine__relocate(r, v);
+    }
+  }
 }
