@@ -18,6 +18,7 @@
 
 typedef struct {
   int tag;
+  uint32_t uses; // by curves; kept by model_edit.h, as the counts below
   Vec3 xyz;
   double lc;    // > 0, or LC_UNSET
   SrcLoc loc;   // the statement that made it
@@ -54,6 +55,8 @@ typedef struct {
   int nknot;
   bool has_plane;         // Circle/Ellipse ... Plane {n}
   Vec3 plane;
+  double sweep;           // CURVE_CIRCLE, CURVE_ELLIPSE: angle swept in that plane, up to 2 pi (OpenCASCADE's arcs); 0: the
+                          // one below pi
   SrcLoc loc;
 
   // how to mesh it
@@ -69,12 +72,14 @@ typedef struct {
   bool reverse_mesh;      // Reverse Curve
   bool degenerate;        // Degenerated Curve
   void *shape;            // evaluation data of curve_*.c, made by model_prepare
+  uint32_t uses, in_loops; // by faces, by loops
 } Curve;
 
 typedef struct {
   int tag;
   int *curve;             // signed curve tags, ncurve of them, head to tail after model_prepare
   int ncurve;
+  bool sorted, reported;  // head to tail; the user was told what is wrong with it
   SrcLoc loc;
 } Loop;
 
@@ -89,6 +94,7 @@ typedef struct {
   FaceType type;
   int *loop;              // signed loop tags (as written), nloop of them; a negative outer loop reverses the face
   int nloop;
+  uint32_t uses;          // by volumes
   SrcLoc loc;
 
   // how to mesh it
@@ -157,8 +163,9 @@ Group *model_group(const Model *m, int dim, int tag);
 // Bounding box of all geometry (points used by nothing included), as Gmsh takes it for its default size; empty if no entity.
 Box3 model_bounds(const Model *m);
 
-// Signed curve tags of a face: outer loop first, each loop as sorted and with its sign applied. The arrays belong to the
-// caller (vec_free). `start` gets the index at which each closed loop begins and the total: start.len - 1 closed loops (more
+// Signed curve tags of a face: outer loop first, as sorted and with its sign applied, then the holes the other way round (as
+// Gmsh lists them; a negative sign turns a hole back). The arrays belong to the
+// caller (vec_free) and are overwritten. `start` gets the index at which each closed loop begins and the total: start.len - 1 closed loops (more
 // than nloop where one Loop lists several closed ones; then the one around the others comes first).
 void face_boundary(const Model *m, const Face *f, IntVec *curve, IntVec *start);
 
@@ -187,5 +194,10 @@ static inline Vec3 face_from_plane(const Face *f, Vec2 q)
 {
   return vec3_add(f->origin, vec3_add(vec3_scale(q.x, f->axis_u), vec3_scale(q.y, f->axis_v)));
 }
+
+// FACE_FILLING: signed tags of its 3 or 4 sides, head to tail. The corner where the first begins has no side when they are 3.
+int face_filling_sides(const Model *m, const Face *f, int side[4]);
+// The Coons patch of the sides: s runs along the first, t along the second; with 3 sides s = 0 is the corner.
+Vec3 face_filling_point(const Model *m, const Face *f, double s, double t);
 
 #endif

@@ -1,0 +1,170 @@
+// model_int.h - what the files of this folder share: the tables behind a Model
+// SPDX-License-Identifier: MIT
+#ifndef MODEL_MODEL_INT_H
+#define MODEL_MODEL_INT_H
+
+#include "base/map.h"
+#include "model/model_edit.h"
+
+// Entities of one kind by tag. Items begin with `int tag` and never move, so pointers live until the item is removed.
+// Tags near the number of items are found in an array, the others in a map.
+typedef struct {
+  size_t size;            // bytes of an item
+  Vec(char *) chunks;
+  uint32_t used;          // slots handed out
+  U32Vec vacant;          // slots given back
+  U32Vec dense;           // tag -> slot + 1
+  Map sparse;             // tag -> slot, for tags beyond `dense`
+  U32Vec order;           // slots by ascending tag, when `ordered`
+  bool ordered;
+  size_t live;
+} Table;
+enum { TABLE_CHUNK = 512, DEAD_TAG = INT32_MIN };
+
+void table__init(Table *t, size_t size);
+void table__free(Table *t);
+uint32_t table__find(const Table *t, int tag);  // slot or NONE
+void *table__get(const Table *t, int tag);      // item or NULL
+void *table__add(Table *t, int tag);            // zeroed but for the tag, which must be new
+void table__remove(Table *t, int tag);
+void table__sort(Table *t);                     // make `order` valid
+void *table__at(const Table *t, size_t k);      // k-th by tag
+static inline void *table__slot(const Table *t, uint32_t s)
+{
+  return t->chunks.data[s / TABLE_CHUNK] + (size_t)(s % TABLE_CHUNK) * t->size;
+}
+
+// Slots chained by a 64-bit hash; equality is the caller's to test.
+typedef struct {
+  Map head;    // hash -> first slot
+  U32Vec next; // by slot
+} Chains;
+void chains__link(Chains *c, uint64_t hash, uint32_t slot);
+void chains__unlink(Chains *c, uint64_t hash, uint32_t slot);
+void chains__clear(Chains *c);
+uint64_t hash__mix(uint64_t h, uint64_t v);
+
+typedef struct {
+  int tag;
+  int *face; // signed tags
+  int nface;
+  bool hidden;
+  SrcLoc loc;
+} SurfaceLoop;
+
+typedef struct {
+  int tag;
+  int *face; // signed tags of all its boundary
+  int nface;
+  uint32_t uses;
+  SrcLoc loc;
+} Volume;
+
+typedef struct {
+  int tag;
+  Vec3 xyz;
+} MovedPoint;
+
+typedef struct {
+  int dim, tag;
+  char *name;
+} EntityName;
+
+// Loops of faces that no script named (copies, extrusions) have tags from here on; they count for no maximum.
+enum { HIDDEN_LOOP = 1 << 30 };
+
+struct Model {
+  ModelSettings set;
+  Arena arena;              // control points, knots, loops, names
+  Table point, curve, loop, hidden, face, surface_loop, volume;
+  int max[KIND_COUNT];
+  Vec(Group *) group[4];    // by dim, ascending tags
+  Names group_name;         // "dim name" -> tag
+  Vec(EntityName) name;
+  Map refused;              // kind << 32 | tag of what was reported and not made
+  int ncompound[3];
+  // coherence: what changed since it last ran, and the indexes of the rest
+  IntVec dirty[4];          // tags of points, curves, faces, (volumes)
+  IntVec changed_face;      // scratch
+  IntVec pending_loop;      // loops that did not sort yet
+  IntVec layered;           // curves with copy_of
+  size_t nperiodic;         // curves with a periodic master
+  Chains cell, curve_key, face_key;
+  double cell_size, cell_diagonal;
+  Box3 extent;              // of all points there ever were
+  bool cell_on, curve_on, face_on;
+  size_t nembedded, ncorners; // faces that have them
+  Vec(MovedPoint) moved;    // points that stand at the start of a closed curve while prepared; their own places
+};
+
+static inline int tag__abs(int tag) { return tag < 0 ? -tag : tag; }
+static inline Point *point__get(const Model *m, int tag) { return table__get(&m->point, tag); }
+
+const char *kind__name(Kind k);    // "point", "curve", "curve loop", "surface", ...
+const char *dim__name(int dim);    // "point", "curve", "surface", "volume"
+void model__note_tag(Model *m, Kind k, int tag); // raise the maximum
+void model__refuse(Model *m, Kind k, int tag);
+bool model__refused(const Model *m, Kind k, int tag);
+// Fewer maxima after removal of `tag`: walk down to the largest one there is.
+void model__recount(Model *m, Kind k);
+Table *model__table(const Model *m, Kind k);
+static inline Kind dim__kind(int dim)
+{
+  static const Kind k[4] = {KIND_POINT, KIND_CURVE, KIND_FACE, KIND_VOLUME};
+  return k[dim];
+}
+void model__restore_points(Model *m);
+
+// edit.c: entities without checks, for copies and extrusions. The arrays are copied into the arena.
+Point *point__make(Model *m, int tag, Vec3 xyz, double lc, SrcLoc loc);
+Curve *curve__make(Model *m, int tag, CurveType type, const int *point, int npoint, int begin, int end, SrcLoc loc);
+int loop__make_hidden(Model *m, const int *curve, int ncurve, SrcLoc loc);
+Face *face__make(Model *m, int tag, FaceType type, const int *loop, int nloop, SrcLoc loc);
+Volume *volume__make(Model *m, int tag, const int *face, int nface, SrcLoc loc);
+void curve__drop(Model *m, int tag); // remove, with its uses of points
+void face__drop(Model *m, int tag);  // remove, with its uses of curves
+void face__count_uses(Model *m, const Face *f, int delta);
+static inline int curve__from(const Model *m, int signed_tag)
+{
+  const Curve *c = table__get(&m->curve, tag__abs(signed_tag));
+  return signed_tag < 0 ? c->end : c->begin;
+}
+static inline int curve__to(const Model *m, int signed_tag) { return curve__from(m, -signed_tag); }
+
+// coherence.c. Merged: old tag -> surviving signed tag of what a run removed, per dimension 0..2.
+typedef struct {
+  Map to[3]; // value: signed tag as uint32
+  IntVec gone[3]; // the old tags, in the order they were found
+} Merged;
+void merged__free(Merged *g);
+int merged__tag(const Merged *g, int dim, int tag); // follows; sign kept and combined
+void model__merge(Model *m, Merged *report);
+void model__point_moves(Model *m, Point *p, Vec3 to); // keeps the index of places
+void model__forget_point(Model *m, Point *p);
+void model__forget_curve(Model *m, Curve *c);
+void model__forget_face(Model *m, Face *f);
+void model__index_free(Model *m);
+
+// transform.c
+void model__transform_shape(Model *m, int dim, int tag, const Affine *a);
+int model__copy_point(Model *m, int tag, SrcLoc loc);
+int model__copy_curve(Model *m, int signed_tag, SrcLoc loc);
+int model__copy_face(Model *m, int signed_tag, SrcLoc loc);
+void model__move_points(Model *m, const int *tag, size_t n, const Affine *a);
+
+// loop.c
+typedef enum { LOOP_OK, LOOP_OPEN, LOOP_UNKNOWN_CURVE } LoopState;
+// Bring the curves head to tail. A curve whose sign is wrong is turned round, with a warning. When the loop does not close it
+// stays as it is, and the gap is reported unless `quiet` (coherence may still close it).
+LoopState loop__sort(Model *m, Loop *l, bool quiet, Diag *diag);
+// Sorted once, still head to tail? Re-sorts if merged points made it possible; else reports the gap.
+bool loop__verify(Model *m, Loop *l, Diag *diag);
+
+// curve_shape.c
+bool curve__build(Model *m, Curve *c, Diag *diag);
+void curve__release(Curve *c);
+
+// face_plane.c
+bool face__build(Model *m, Face *f, double tolerance, Diag *diag);
+
+#endif
