@@ -50,7 +50,7 @@ typedef struct {
   uint64_t ticks;
 
   // For the optimization, by vertex.
-  bool *fixed;      // on a segment, or isolated
+  bool *fixed;      // not to move: given, on a segment, or isolated
   uint8_t *awake;   // its star is worth a visit
   int16_t *excess;  // edges more than six; 0 on segments
   double floor;     // 1/kappa_4^2 that a triangle may rise to while its star gets better
@@ -85,8 +85,8 @@ void refine__frontal(Refiner *r);
 void refine__renumber(Refiner *r, VertId first);
 
 // ---- optimization
-// Make hints and the arrays by vertex.
-void refine__prepare(Refiner *r);
+// Make hints and the arrays by vertex. The first `given` vertices are not to move.
+void refine__prepare(Refiner *r, VertId given);
 // Passes of repositioning over the vertices awake.
 void refine__smooth(Refiner *r, int passes);
 // Improve the position of interior vertex v; true if it moved.

@@ -129,7 +129,7 @@ static void count_excess(Refiner *r)
     if (r->fixed[v]) r->excess[v] = 0;
 }
 
-void refine__prepare(Refiner *r)
+void refine__prepare(Refiner *r, VertId given)
 {
   Tri *m = r->m;
   tri_make_hints(m);
@@ -146,7 +146,7 @@ void refine__prepare(Refiner *r)
       if (tri_is_segment(m, e)) r->fixed[tri_org(m, e)] = r->fixed[tri_dest(m, e)] = true;
   }
   for (VertId v = 0; v < m->nv; v++)
-    if (m->hint[v] == NONE) r->fixed[v] = true;
+    if (v < given || m->hint[v] == NONE) r->fixed[v] = true;
   // A triangle may get worse while its star gets better, down to 0.9, but none below the worst of all.
   r->floor = worst < 0.9 ? 1 / 0.9 : 1 / worst;
   count_excess(r);

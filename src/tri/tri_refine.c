@@ -194,6 +194,7 @@ VertId refine__commit(Refiner *r, double size, double carried)
 
 bool refine__go_on(Refiner *r)
 {
+  if (r->stats->outcome != REFINE_DONE) return false;
   if (r->m->nv >= r->max_vertices) {
     r->stats->outcome = REFINE_LIMIT;
     return false;
@@ -231,7 +232,7 @@ TriRefineStats tri_refine(Tri *m, const TriRefineParams *p)
   }
   clear_user_bits(m);
   refine__renumber(&r, given);
-  refine__prepare(&r);
+  refine__prepare(&r, given);
   if (p->algorithm != REFINE_EMPTY && stats.outcome != REFINE_CANCELLED) {
     refine__smooth(&r, p->smoothing);
     refine__optimize(&r, p->optimize);

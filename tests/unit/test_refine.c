@@ -1,0 +1,290 @@
+// test_refine.c - refinement: the boundary stays, every triangle is positive, the shapes and sizes are as promised
+// SPDX-License-Identifier: MIT
+#include "unit.h"
+
+#include "base/mem.h"
+#include "base/rng.h"
+#include "tri/refine.h"
+
+typedef struct {
+  DoubleVec xy;
+  U32Vec ends;
+  size_t slits; // segments from this one on do not bound
+} Domain;
+
+static void add_loop(Domain *d, const Vec2 *p, size_t n, double h)
+{
+  size_t first = d->xy.len / 2;
+  for (size_t i = 0; i < n; i++) {
+    Vec2 a = p[i], b = p[(i + 1) % n];
+    int k = (int)ceil(vec2_length(vec2_sub(b, a)) / h - 0.01);
+    for (int j = 0; j < k; j++) {
+      vec_push(&d->xy, a.x + (b.x - a.x) * j / k);
+      vec_push(&d->xy, a.y + (b.y - a.y) * j / k);
+    }
+  }
+  size_t end = d->xy.len / 2;
+  for (size_t i = first; i < end; i++) {
+    vec_push(&d->ends, (uint32_t)i);
+    vec_push(&d->ends, (uint32_t)(i + 1 < end ? i + 1 : first));
+  }
+}
+
+static void add_circle(Domain *d, double x, double y, double radius, double h)
+{
+  size_t first = d->xy.len / 2;
+  int n = (int)ceil(2 * M_PI * radius / h);
+  for (int i = 0; i < n; i++) {
+    vec_push(&d->xy, x + radius * cos(2 * M_PI * i / n));
+    vec_push(&d->xy, y + radius * sin(2 * M_PI * i / n));
+    vec_push(&d->ends, (uint32_t)(first + (size_t)i));
+    vec_push(&d->ends, (uint32_t)(first + (size_t)(i + 1) % (size_t)n));
+  }
+}
+
+static void add_segment(Domain *d, Vec2 a, Vec2 b) // both ends new vertices
+{
+  vec_push(&d->ends, (uint32_t)(d->xy.len / 2)), vec_push(&d->ends, (uint32_t)(d->xy.len / 2 + 1));
+  vec_push(&d->xy, a.x), vec_push(&d->xy, a.y), vec_push(&d->xy, b.x), vec_push(&d->xy, b.y);
+}
+
+enum { SQUARE, DISC, HOLES, ELL, GAP, SPIKE, SLIT, POINTS, TOUCHING, NCASES };
+
+static void make_domain(Domain *d, int which, double h)
+{
+  *d = (Domain){.slits = SIZE_MAX};
+  Vec2 square[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  switch (which) {
+  case DISC: add_circle(d, 0.5, 0.5, 0.5, h); break;
+  case HOLES:
+    add_loop(d, square, 4, h);
+    add_circle(d, 0.3, 0.3, 0.1, h / 2);
+    add_circle(d, 0.7, 0.6, 0.15, h);
+    break;
+  case ELL: add_loop(d, (Vec2[]){{0, 0}, {1, 0}, {1, 0.5}, {0.5, 0.5}, {0.5, 1}, {0, 1}}, 6, h); break;
+  case GAP:
+    add_loop(d, square, 4, h);
+    add_loop(d, (Vec2[]){{0.2, 0.003}, {0.8, 0.003}, {0.8, 0.5}, {0.2, 0.5}}, 4, h);
+    break;
+  case SPIKE: add_loop(d, (Vec2[]){{0, 0}, {1, 0}, {1, 0.08}, {0.12, 0.75}}, 4, h); break;
+  case SLIT:
+    add_loop(d, square, 4, h);
+    d->slits = d->ends.len / 2;
+    for (int i = 0; i < 5; i++) add_segment(d, (Vec2){0.3, 0.2 + 0.1 * i}, (Vec2){0.3 + 0.8 * h, 0.2 + 0.1 * i});
+    break;
+  case TOUCHING:
+    add_loop(d, square, 4, h);
+    add_loop(d, (Vec2[]){{0.2, 0.2}, {0.5, 0.5}, {0.2, 0.5}}, 3, h);
+    break;
+  default: add_loop(d, square, 4, h);
+  }
+  if (which == POINTS) { // embedded points
+    Rng rng = {7};
+    for (int i = 0; i < 20; i++) vec_push(&d->xy, rng_double(&rng)), vec_push(&d->xy, rng_double(&rng));
+  }
+}
+
+static void empty_mesh(const Domain *d, Tri *m)
+{
+  tri_init(m);
+  TriBuild how = {.reorder = false};
+  assert_int_equal(tri_build(m, d->xy.data, d->xy.len / 2, &how), TRI_BUILD_GOOD);
+  assert_int_equal(tri_insert_segments(m, d->ends.data, NULL, d->ends.len / 2, NULL), 0);
+  bool *embedded = mem_zalloc(d->ends.len);
+  for (size_t i = d->slits; i < d->ends.len / 2; i++) embedded[i] = true;
+  tri_carve(m, &(TriCarve){.even_odd = true, .embedded = embedded});
+  free(embedded);
+}
+
+static double area_inside(const Tri *m)
+{
+  double sum = 0;
+  for (TriId t = 0; t < m->nt; t++) {
+    if (!tri_is_inside(m, t)) continue;
+    const double *a = tri_xy(m, m->vert[3 * t]), *b = tri_xy(m, m->vert[3 * t + 1]), *c = tri_xy(m, m->vert[3 * t + 2]);
+    sum += 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+  }
+  return sum;
+}
+
+static MeshQuality measure(const Tri *m, SizeAt size, void *ctx)
+{
+  U32Vec tri = {0};
+  for (TriId t = 0; t < m->nt; t++)
+    if (tri_is_inside(m, t))
+      for (int i = 0; i < 3; i++) vec_push(&tri, m->vert[3 * t + i]);
+  MeshQuality q = quality_measure(m->xy, m->nv, tri.data, tri.len / 3, size, ctx);
+  vec_free(&tri);
+  return q;
+}
+
+// What must hold after any refinement.
+static void check_mesh(Tri *m, const Domain *d, double area)
+{
+  TriCheck c;
+  size_t bad = tri_check(m, TRI_CHECK_LINKS | TRI_CHECK_ORIENT | TRI_CHECK_EULER | TRI_CHECK_AREA, &c);
+  if (bad) print_error("rule %u at half-edge %u, %zu in all\n", c.rule, c.e, bad);
+  assert_int_equal(bad, 0);
+  assert_true(fabs(area_inside(m) - area) <= 1e-12 * area);
+  assert_memory_equal(m->xy, d->xy.data, d->xy.len * sizeof(double));
+  for (size_t i = 0; i < d->ends.len; i += 2) {
+    EdgeId e = tri_find_edge(m, d->ends.data[i], d->ends.data[i + 1]);
+    assert_true(e != NONE && tri_is_segment(m, e) && m->seg[e] == i / 2);
+  }
+}
+
+static void test_every_strategy_keeps_the_boundary(void **state)
+{
+  (void)state;
+  const RefineAlgorithm algorithms[] = {REFINE_ADAPT, REFINE_EMPTY, REFINE_DELAUNAY, REFINE_FRONTAL};
+  for (int k = 0; k < NCASES; k++) {
+    for (size_t a = 0; a < ARRAY_LEN(algorithms); a++) {
+      for (int level = 0; level <= 2; level++) {
+        Domain d;
+        make_domain(&d, k, 0.04);
+        Tri m;
+        empty_mesh(&d, &m);
+        double area = area_inside(&m);
+        TriRefineParams p = tri_refine_defaults();
+        p.algorithm = algorithms[a], p.optimize = level, p.smoothing = level > 0;
+        TriRefineStats s = tri_refine(&m, &p);
+        assert_int_equal(s.outcome, REFINE_DONE);
+        check_mesh(&m, &d, area);
+        tri_free(&m);
+        vec_free(&d.xy), vec_free(&d.ends);
+      }
+    }
+  }
+}
+
+static double wave(void *ctx, Vec2 p) { return *(double *)ctx * (0.1 + 0.08 * sin(3 * p.x) * cos(6 * p.y)); }
+static double constant(void *ctx, Vec2 p) { return (void)p, *(double *)ctx; }
+
+static void test_quality_of_the_square(void **state)
+{
+  (void)state;
+  double h = 0.0125;
+  const struct {
+    RefineAlgorithm algorithm;
+    double least, mean, tau, six;
+  } want[] = {{REFINE_FRONTAL, 0.85, 0.997, 0.985, 0.96}, {REFINE_DELAUNAY, 0.60, 0.96, 0.89, 0.55}, {REFINE_ADAPT, 0.55, 0.955, 0.89, 0.5}};
+  for (size_t k = 0; k < ARRAY_LEN(want); k++) {
+    Domain d;
+    make_domain(&d, SQUARE, h);
+    Tri m;
+    empty_mesh(&d, &m);
+    TriRefineParams p = tri_refine_defaults();
+    p.algorithm = want[k].algorithm;
+    tri_refine(&m, &p);
+    check_mesh(&m, &d, 1);
+    MeshQuality q = measure(&m, constant, &h);
+    if (q.gamma_min < want[k].least || q.gamma_mean < want[k].mean || q.tau < want[k].tau || q.valence6 < want[k].six)
+      fail_msg("algorithm %d: gamma %g %g tau %g six %g", (int)p.algorithm, q.gamma_min, q.gamma_mean, q.tau, q.valence6);
+    double ideal = 4 / (sqrt(3) * h * h);
+    assert_true((double)q.ntri > 0.85 * ideal && (double)q.ntri < 1.15 * ideal);
+    tri_free(&m);
+    vec_free(&d.xy), vec_free(&d.ends);
+  }
+}
+
+static void test_sizes_of_a_field_are_met(void **state)
+{
+  (void)state;
+  double scale = 0.25;
+  for (int k = 0; k < 2; k++) {
+    Domain d;
+    make_domain(&d, SQUARE, 0.02);
+    Tri m;
+    empty_mesh(&d, &m);
+    TriRefineParams p = tri_refine_defaults();
+    p.algorithm = k ? REFINE_FRONTAL : REFINE_DELAUNAY;
+    p.size = wave, p.size_ctx = &scale, p.extend_from_boundary = false;
+    tri_refine(&m, &p);
+    check_mesh(&m, &d, 1);
+    MeshQuality q = measure(&m, wave, &scale);
+    assert_true(q.tau > 0.88 && q.gamma_mean > 0.94);
+    tri_free(&m);
+    vec_free(&d.xy), vec_free(&d.ends);
+  }
+}
+
+static double dot_size(void *ctx, Vec2 p)
+{
+  (void)ctx;
+  return hypot(p.x - 0.51, p.y - 0.47) < 0.03 ? 0.002 : 0.1;
+}
+
+static void test_a_small_dip_of_the_field_is_not_missed(void **state)
+{
+  (void)state;
+  for (int k = 0; k < 2; k++) {
+    Domain d;
+    make_domain(&d, SQUARE, 0.1);
+    Tri m;
+    empty_mesh(&d, &m);
+    TriRefineParams p = tri_refine_defaults();
+    p.algorithm = k ? REFINE_FRONTAL : REFINE_DELAUNAY;
+    p.size = dot_size, p.extend_from_boundary = false;
+    tri_refine(&m, &p);
+    check_mesh(&m, &d, 1);
+    size_t near = 0;
+    for (VertId v = 0; v < m.nv; v++) near += hypot(m.xy[2 * v] - 0.51, m.xy[2 * v + 1] - 0.47) < 0.03;
+    assert_true(near > 500); // about 820 of spacing 0.002 fit
+    tri_free(&m);
+    vec_free(&d.xy), vec_free(&d.ends);
+  }
+}
+
+static void test_equal_runs_give_equal_arrays(void **state)
+{
+  (void)state;
+  Tri m[2];
+  Domain d;
+  make_domain(&d, HOLES, 0.02);
+  for (int k = 0; k < 2; k++) {
+    empty_mesh(&d, &m[k]);
+    TriRefineParams p = tri_refine_defaults();
+    tri_refine(&m[k], &p);
+  }
+  assert_int_equal(m[0].nv, m[1].nv);
+  assert_int_equal(m[0].nt, m[1].nt);
+  assert_memory_equal(m[0].xy, m[1].xy, 2 * m[0].nv * sizeof(double));
+  assert_memory_equal(m[0].vert, m[1].vert, 3 * m[0].nt * sizeof(uint32_t));
+  tri_free(&m[0]), tri_free(&m[1]);
+  vec_free(&d.xy), vec_free(&d.ends);
+}
+
+static bool stop_at_once(void *ctx, double done) { return (void)ctx, (void)done, true; }
+
+static void test_limits_and_cancellation(void **state)
+{
+  (void)state;
+  for (int k = 0; k < 2; k++) {
+    Domain d;
+    make_domain(&d, SQUARE, 0.005);
+    Tri m;
+    empty_mesh(&d, &m);
+    TriRefineParams p = tri_refine_defaults();
+    if (k) p.cancel = stop_at_once;
+    else p.max_triangles = 5000;
+    TriRefineStats s = tri_refine(&m, &p);
+    assert_int_equal(s.outcome, k ? REFINE_CANCELLED : REFINE_LIMIT);
+    assert_true(m.nt < 50000);
+    check_mesh(&m, &d, 1);
+    tri_free(&m);
+    vec_free(&d.xy), vec_free(&d.ends);
+  }
+}
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_every_strategy_keeps_the_boundary),
+      cmocka_unit_test(test_quality_of_the_square),
+      cmocka_unit_test(test_sizes_of_a_field_are_met),
+      cmocka_unit_test(test_a_small_dip_of_the_field_is_not_missed),
+      cmocka_unit_test(test_equal_runs_give_equal_arrays),
+      cmocka_unit_test(test_limits_and_cancellation),
+  };
+  return unit_run(tests);
+}
