@@ -1,0 +1,394 @@
+// mesh_check_edges.c - the audit: edges shared properly, line elements among them, holes and T-junctions
+// SPDX-License-Identifier: MIT
+#include "base/base.h"
+
+#include "mesh/mesh_check_int.h"
+
+static Vec3 middle(const Mesh *m, uint32_t a, uint32_t b)
+{
+  return vec3_scale(0.5, vec3_add(mesh_xyz(m, a), mesh_xyz(m, b)));
+}
+
+// ---- line elements ----------------------------------------------------------------------------------------------------------
+static uint32_t line_curve(const Check *c, uint32_t line) { return c->m->block[c->line_block.data[line]].entity; }
+
+static const uint32_t *line_nodes(const Check *c, uint32_t line)
+{
+  const MeshBlock *k = &c->m->block[c->line_block.data[line]];
+  return k->node + c->line_index.data[line] * (size_t)elem_nodes(k->type);
+}
+
+// Gather the line elements; on_line marks their ends.
+static void gather_lines(Check *c, uint8_t *on_line)
+{
+  const Mesh *m = c->m;
+  for (uint32_t b = 0; b < m->nblock; b++) {
+    const MeshBlock *k = &m->block[b];
+    if (elem_dim(k->type) != 1) continue;
+    for (size_t i = 0; i < k->n; i++) {
+      const uint32_t *v = k->node + i * (size_t)elem_nodes(k->type);
+      bool added;
+      uint32_t *slot = map_slot(&c->line, map_pair(v[0], v[1]), (uint32_t)c->line_block.len, &added);
+      if (v[0] == v[1])
+        check__report(c, RULE_DEGENERATE, false, k->entity, b, i, v[0], mesh_xyz(m, v[0]), "both ends are node %u", v[0] + 1);
+      else if (!added)
+        check__report(c, RULE_DUPLICATE_ELEMENT, false, k->entity, b, i, NONE, middle(m, v[0], v[1]),
+                      "curve %d has a line between nodes %u and %u too", m->entity[line_curve(c, *slot)].tag, v[0] + 1, v[1] + 1);
+      vec_push(&c->line_block, b);
+      vec_push(&c->line_index, (uint32_t)i);
+      on_line[v[0]] = on_line[v[1]] = 1;
+    }
+  }
+}
+
+// ---- half-edges ---------------------------------------------------------------------------------------------------------------
+typedef Vec(uint64_t) U64Vec;
+
+typedef struct {
+  U64Vec use;        // line << 32 | face, for every half-edge that lies on a line element
+  U64Vec boundary;   // map_pair of every half-edge without a twin
+  U32Vec half;       // those half-edges
+  uint8_t *on_line;
+} Scan;
+
+static void scan_block(Check *c, Scan *s, uint32_t b)
+{
+  const MeshBlock *k = &c->m->block[b];
+  size_t corners = (size_t)elem_corners(k->type), nodes = (size_t)elem_nodes(k->type), h = c->edges.base[b];
+  for (size_t i = 0; i < k->n; i++) {
+    const uint32_t *v = k->node + i * nodes;
+    for (size_t a = 0; a < corners; a++, h++) {
+      uint32_t p = v[a], q = v[a + 1 == corners ? 0 : a + 1], twin = c->edges.twin[h];
+      if (UNLIKELY(twin == NONE)) {
+        vec_push(&s->boundary, map_pair(p, q));
+        vec_push(&s->half, (uint32_t)h);
+      }
+      if (LIKELY(!(s->on_line[p] & s->on_line[q]))) continue;
+      uint32_t line = map_get(&c->line, map_pair(p, q));
+      if (line != NONE) vec_push(&s->use, (uint64_t)line << 32 | k->entity);
+    }
+  }
+}
+
+static uint64_t corner_key(const MeshBlock *k, size_t i)
+{
+  uint64_t sum = 0;
+  int corners = elem_corners(k->type);
+  const uint32_t *v = k->node + i * (size_t)elem_nodes(k->type);
+  for (int a = 0; a < corners; a++) {
+    uint64_t z = v[a] * 0x9e3779b97f4a7c15u;
+    sum += (z ^ z >> 29) * 0xbf58476d1ce4e5b9u;
+  }
+  return sum >> 1;
+}
+
+static bool same_corners(const MeshBlock *k, size_t i, const MeshBlock *l, size_t j)
+{
+  int n = elem_corners(k->type), found = 0;
+  const uint32_t *v = k->node + i * (size_t)elem_nodes(k->type), *w = l->node + j * (size_t)elem_nodes(l->type);
+  if (n != elem_corners(l->type)) return false;
+  for (int a = 0; a < n; a++)
+    for (int b = 0; b < n; b++) found += v[a] == w[b];
+  return found == n;
+}
+
+// An element of which every edge is bad may be there twice. Rare, so its cost does not matter.
+static void check_bad_edges(Check *c)
+{
+  const Mesh *m = c->m;
+  Map edge = {0}, element = {0};
+  Vec(HalfEdge) seen = {0};
+  bool added;
+  for (uint32_t b = 0; b < m->nblock; b++) {
+    const MeshBlock *k = &m->block[b];
+    size_t corners = elem_dim(k->type) == 2 ? (size_t)elem_corners(k->type) : 0;
+    for (size_t i = 0; corners && i < k->n; i++) {
+      size_t bad = 0, h = c->edges.base[b] + i * corners;
+      for (size_t a = 0; a < corners; a++) bad += c->edges.twin[h + a] == EDGE_BAD;
+      if (LIKELY(!bad)) continue;
+      if (bad == corners) {
+        uint32_t *slot = map_slot(&element, corner_key(k, i), (uint32_t)seen.len, &added);
+        const HalfEdge *other = added ? NULL : &seen.data[*slot];
+        if (other && same_corners(k, i, &m->block[other->block], other->element))
+          check__report(c, RULE_DUPLICATE_ELEMENT, false, k->entity, b, i, NONE, middle(m, k->node[i * (size_t)elem_nodes(k->type)],
+                        k->node[i * (size_t)elem_nodes(k->type) + 1]), "element %zu has the same corners",
+                        c->number[other->block] + other->element + 1);
+        if (added) vec_push(&seen, ((HalfEdge){.block = b, .element = i}));
+      }
+      for (size_t a = 0; a < corners; a++) {
+        if (c->edges.twin[h + a] != EDGE_BAD) continue;
+        HalfEdge e = mesh_edges_at(&c->edges, m, h + a);
+        map_slot(&edge, map_pair(e.a, e.b), 0, &added);
+        if (added)
+          check__report(c, RULE_EDGE, false, k->entity, b, i, NONE, middle(m, e.a, e.b),
+                        "edge of nodes %u and %u has more than two elements, or two that run it the same way", e.a + 1, e.b + 1);
+      }
+    }
+  }
+  map_free(&edge);
+  map_free(&element);
+  vec_free(&seen);
+}
+
+// ---- lost edges -----------------------------------------------------------------------------------------------------------------
+static int u64_order(const void *x, const void *y)
+{
+  const uint64_t *a = x, *b = y;
+  return *a < *b ? -1 : *a > *b;
+}
+
+static void sort_u64(U64Vec *v)
+{
+  if (v->len) qsort(v->data, v->len, sizeof *v->data, u64_order);
+}
+
+static size_t count_of(const U64Vec *sorted, uint64_t x)
+{
+  size_t lo = 0, hi = sorted->len, n = 0;
+  while (lo < hi) {
+    size_t mid = (lo + hi) / 2;
+    if (sorted->data[mid] < x) lo = mid + 1; else hi = mid;
+  }
+  while (lo + n < sorted->len && sorted->data[lo + n] == x) n++;
+  return n;
+}
+
+static bool face_has_elements(const Check *c, uint32_t face)
+{
+  size_t lo = 0, hi = c->m->nblock; // first block of entity >= face
+  while (lo < hi) {
+    size_t mid = (lo + hi) / 2;
+    if (c->m->block[mid].entity < face) lo = mid + 1; else hi = mid;
+  }
+  return lo < c->m->nblock && c->m->block[lo].entity == face;
+}
+
+// curve << 32 | face, once for each element of the face that each line of the curve must have: one per listing in the
+// boundary, two where the curve is embedded.
+static void wanted_uses(const Check *c, U64Vec *wanted)
+{
+  const Mesh *m = c->m;
+  for (uint32_t f = 0; f < m->nentity; f++) {
+    const MeshEntity *t = &m->entity[f];
+    if (t->dim != 2 || !face_has_elements(c, f)) continue;
+    for (size_t i = 0; i < t->boundary.len + t->embedded.len; i++) {
+      bool embedded = i >= t->boundary.len;
+      uint32_t e = mesh_find_entity(m, 1, embedded ? abs(t->embedded.data[i - t->boundary.len]) : abs(t->boundary.data[i]));
+      for (int k = 0; e != NONE && k < 1 + embedded; k++) vec_push(wanted, (uint64_t)e << 32 | f);
+    }
+  }
+  sort_u64(wanted);
+}
+
+static void check_lost(Check *c, Scan *s)
+{
+  const Mesh *m = c->m;
+  U64Vec wanted = {0};
+  wanted_uses(c, &wanted);
+  sort_u64(&s->use);
+  for (uint32_t l = 0; l < c->line_block.len; l++) {
+    uint32_t curve = line_curve(c, l);
+    const uint32_t *v = line_nodes(c, l);
+    size_t k = 0, hi = wanted.len;
+    while (k < hi) {
+      size_t mid = (k + hi) / 2;
+      if (wanted.data[mid] < (uint64_t)curve << 32) k = mid + 1; else hi = mid;
+    }
+    bool listed = k < wanted.len && wanted.data[k] >> 32 == curve;
+    for (size_t n; k < wanted.len && wanted.data[k] >> 32 == curve; k += n) {
+      uint32_t face = (uint32_t)wanted.data[k];
+      n = count_of(&wanted, wanted.data[k]);
+      size_t has = count_of(&s->use, (uint64_t)l << 32 | face);
+      if (has < n)
+        check__report(c, RULE_LOST_EDGE, false, curve, c->line_block.data[l], c->line_index.data[l], NONE, middle(m, v[0], v[1]),
+                      "it is an edge of %zu elements of face %d, not of %zu: nodes %u and %u", has, m->entity[face].tag, n, v[0] + 1,
+                      v[1] + 1);
+    }
+    if (listed || c->edges.n == 0) continue;
+    size_t lo = 0, up = s->use.len; // any use of this line at all?
+    while (lo < up) {
+      size_t mid = (lo + up) / 2;
+      if (s->use.data[mid] < (uint64_t)l << 32) lo = mid + 1; else up = mid;
+    }
+    bool free_line = !(lo < s->use.len && s->use.data[lo] >> 32 == l);
+    if (free_line && c->used[v[0]] == 2 && c->used[v[1]] == 2)
+      check__report(c, RULE_LOST_EDGE, !c->strict, curve, c->line_block.data[l], c->line_index.data[l], NONE,
+                    middle(m, v[0], v[1]), "it is no edge of a surface element: nodes %u and %u", v[0] + 1, v[1] + 1);
+  }
+  vec_free(&wanted);
+}
+
+// ---- holes ------------------------------------------------------------------------------------------------------------------------
+// Whether the boundary of each face is known and has lines.
+static bool *closed_faces(const Check *c)
+{
+  const Mesh *m = c->m;
+  bool *has_lines = mem_zalloc(m->nentity), *closed = mem_zalloc(m->nentity);
+  for (size_t b = 0; b < m->nblock; b++)
+    if (elem_dim(m->block[b].type) == 1 && m->block[b].n) has_lines[m->block[b].entity] = true;
+  for (uint32_t f = 0; f < m->nentity; f++) {
+    const MeshEntity *t = &m->entity[f];
+    closed[f] = t->dim == 2 && (t->boundary.len > 0 || c->strict);
+    for (size_t i = 0; closed[f] && i < t->boundary.len; i++) {
+      uint32_t e = mesh_find_entity(m, 1, abs(t->boundary.data[i]));
+      closed[f] = e != NONE && has_lines[e];
+    }
+  }
+  free(has_lines);
+  return closed;
+}
+
+static bool bounds(const MeshEntity *face, int curve)
+{
+  for (size_t i = 0; i < face->boundary.len; i++)
+    if (abs(face->boundary.data[i]) == curve) return true;
+  return face->boundary.len == 0;
+}
+
+static void check_holes(Check *c, const Scan *s)
+{
+  const Mesh *m = c->m;
+  bool *closed = closed_faces(c);
+  for (size_t i = 0; i < s->half.len; i++) {
+    HalfEdge e = mesh_edges_at(&c->edges, m, s->half.data[i]);
+    uint32_t face = m->block[e.block].entity, line = map_get(&c->line, s->boundary.data[i]);
+    if (!closed[face]) continue;
+    if (line == NONE)
+      check__report(c, RULE_HOLE, false, face, e.block, e.element, NONE, middle(m, e.a, e.b),
+                    "nothing is beyond the edge of nodes %u and %u, which is on no curve", e.a + 1, e.b + 1);
+    else if (!bounds(&m->entity[face], m->entity[line_curve(c, line)].tag))
+      check__report(c, RULE_HOLE, false, face, e.block, e.element, NONE, middle(m, e.a, e.b),
+                    "it ends at curve %d, which does not bound it", m->entity[line_curve(c, line)].tag);
+  }
+  free(closed);
+}
+
+// ---- T-junctions --------------------------------------------------------------------------------------------------------------------
+// A grid over the nodes of edges that one element alone has, in the two longer directions of their box.
+typedef struct {
+  const Check *c;
+  U32Vec node, next;   // nodes in it, and the next one of the same cell
+  Map cell;
+  double size, lo[3];
+  int i, j;
+} Grid;
+
+static uint64_t cell_key(const Grid *g, Vec3 p, int di, int dj)
+{
+  const double x[3] = {p.x, p.y, p.z};
+  // Cells are edges long and edges few enough, so that 31 bits do for each direction.
+  double a = fmin(floor((x[g->i] - g->lo[g->i]) / g->size), 2e9), b = fmin(floor((x[g->j] - g->lo[g->j]) / g->size), 2e9);
+  return (uint64_t)(uint32_t)((int64_t)a + di + 2) << 32 | (uint32_t)((int64_t)b + dj + 2);
+}
+
+static void grid_make(Grid *g, const Check *c, const U32Vec *half)
+{
+  const Mesh *m = c->m;
+  Box3 box = box3_empty();
+  double total = 0;
+  g->c = c;
+  for (size_t k = 0; k < half->len; k++) {
+    HalfEdge e = mesh_edges_at(&c->edges, m, half->data[k]);
+    Vec3 a = mesh_xyz(m, e.a), b = mesh_xyz(m, e.b);
+    box = box3_with(box3_with(box, a), b);
+    total += vec3_distance(a, b);
+  }
+  double d[3] = {box.hi.x - box.lo.x, box.hi.y - box.lo.y, box.hi.z - box.lo.z};
+  int drop = d[2] <= d[0] && d[2] <= d[1] ? 2 : d[0] <= d[1] ? 0 : 1;
+  g->i = drop == 0 ? 1 : 0;
+  g->j = drop == 2 ? 1 : 2;
+  memcpy(g->lo, &box.lo, sizeof g->lo);
+  g->size = fmax(total / (double)half->len, 1e-9 * fmax(d[g->i], d[g->j]));
+  if (!(g->size > 0)) g->size = 1;
+  Map seen = {0};
+  for (size_t k = 0; k < half->len; k++) {
+    HalfEdge e = mesh_edges_at(&c->edges, m, half->data[k]);
+    bool added;
+    map_slot(&seen, e.a, 0, &added);
+    for (int end = 0; end < 2; end++) {
+      uint32_t v = end ? e.b : e.a;
+      if (end) map_slot(&seen, v, 0, &added);
+      if (!added) continue;
+      uint32_t *slot = map_slot(&g->cell, cell_key(g, mesh_xyz(m, v), 0, 0), NONE, &added);
+      vec_push(&g->node, v);
+      vec_push(&g->next, *slot);
+      *slot = (uint32_t)(g->node.len - 1);
+    }
+  }
+  map_free(&seen);
+}
+
+// A node within the open segment pq, at most 1e-9 of its length beside it; NONE if there is none. Hanging nodes are seldom
+// collinear to the last bit, since their coordinates were rounded: they are a few ulps off, a millionth of this tolerance.
+static uint32_t node_within(const Grid *g, uint32_t p, uint32_t q)
+{
+  const Mesh *m = g->c->m;
+  Vec3 a = mesh_xyz(m, p), d = vec3_sub(mesh_xyz(m, q), a);
+  double len = vec3_length(d);
+  size_t steps = (size_t)fmin(ceil(2 * len / g->size), 1e6);
+  for (size_t s = 0; s <= steps; s++) {
+    Vec3 x = vec3_add(a, vec3_scale((double)s / (double)MAX(steps, (size_t)1), d));
+    for (int n = 0; n < 9; n++)
+      for (uint32_t k = map_get(&g->cell, cell_key(g, x, n % 3 - 1, n / 3 - 1)); k != NONE; k = g->next.data[k]) {
+        uint32_t v = g->node.data[k];
+        Vec3 r = vec3_sub(mesh_xyz(m, v), a);
+        double t = vec3_dot(r, d) / (len * len);
+        if (v == p || v == q || !(t > 1e-9 && t < 1 - 1e-9)) continue;
+        if (vec3_length(vec3_sub(r, vec3_scale(t, d))) <= 1e-9 * len) return v;
+      }
+  }
+  return NONE;
+}
+
+static void check_junctions(Check *c, Scan *s)
+{
+  const Mesh *m = c->m;
+  // Edges that two faces share are no boundary of their union.
+  U64Vec sorted = {0};
+  U32Vec alone = {0};
+  vec_reserve(&sorted, s->boundary.len);
+  for (size_t i = 0; i < s->boundary.len; i++) vec_push(&sorted, s->boundary.data[i]);
+  sort_u64(&sorted);
+  for (size_t i = 0; i < s->half.len; i++)
+    if (count_of(&sorted, s->boundary.data[i]) == 1) vec_push(&alone, s->half.data[i]);
+  vec_free(&sorted);
+  if (alone.len) {
+    Grid g = {0};
+    grid_make(&g, c, &alone);
+    for (size_t i = 0; i < alone.len; i++) {
+      HalfEdge e = mesh_edges_at(&c->edges, m, alone.data[i]);
+      uint32_t v = node_within(&g, e.a, e.b);
+      if (v != NONE)
+        check__report(c, RULE_T_JUNCTION, false, m->block[e.block].entity, e.block, e.element, v, mesh_xyz(m, v),
+                      "node %u lies within the edge of nodes %u and %u", v + 1, e.a + 1, e.b + 1);
+    }
+    vec_free(&g.node);
+    vec_free(&g.next);
+    map_free(&g.cell);
+  }
+  vec_free(&alone);
+}
+
+void check__conformity(Check *c)
+{
+  const Mesh *m = c->m;
+  Scan s = {.on_line = mem_zalloc(m->nnode)};
+  gather_lines(c, s.on_line);
+  for (uint32_t b = 0; b < m->nblock; b++)
+    if (elem_dim(m->block[b].type) == 2) scan_block(c, &s, b);
+  // 2 marks the nodes of surface elements, for lines that lie loose among them.
+  for (size_t b = 0; b < m->nblock && c->line_block.len; b++)
+    if (elem_dim(m->block[b].type) == 2)
+      for (size_t i = 0; i < m->block[b].n * (size_t)elem_nodes(m->block[b].type); i++) c->used[m->block[b].node[i]] = 2;
+  check_bad_edges(c);
+  check_lost(c, &s);
+  check_holes(c, &s);
+  if (!c->r->count[RULE_COORDINATE]) check_junctions(c, &s);
+  free(s.on_line);
+  vec_free(&s.use);
+  vec_free(&s.boundary);
+  vec_free(&s.half);
+  vec_free(&c->line_block);
+  vec_free(&c->line_index);
+  map_free(&c->line);
+}

@@ -1,0 +1,30 @@
+// mesh_check_int.h - shared by the files of the audit
+// SPDX-License-Identifier: MIT
+#ifndef MESH_MESH_CHECK_INT_H
+#define MESH_MESH_CHECK_INT_H
+
+#include "base/map.h"
+#include "mesh/mesh_check.h"
+#include "mesh/mesh_edges.h"
+
+typedef struct {
+  const Mesh *m;
+  bool strict;
+  MeshReport *r;
+  size_t *number;      // of the first element of each block, from 0
+  uint8_t *used;       // per node: by an element
+  // curves
+  Map line;            // pair of end nodes -> index of the line element, over all blocks of dimension 1
+  Vec(uint32_t) line_block;
+  Vec(uint32_t) line_index;   // element within the block
+  size_t *curve_lines; // per entity: line elements on it
+  MeshEdges edges;
+} Check;
+
+// Add a finding. element: index within the block, or SIZE_MAX; entity or node may be NONE.
+void check__report(Check *c, MeshRule rule, bool warning, uint32_t entity, uint32_t block, size_t element, uint32_t node,
+                   Vec3 at, const char *fmt, ...) PRINTF_LIKE(9, 10);
+void check__faces(Check *c);      // orientation, area, Euler characteristic
+void check__conformity(Check *c); // edges, lost edges, holes, T-junctions
+
+#endif
