@@ -49,9 +49,9 @@ typedef struct {
   U64Vec boundary;   // map_pair of every half-edge without a twin
   U32Vec half;       // those half-edges
   uint8_t *on_line;
-} Scan;
+} EdgeScan;
 
-static void scan_block(Check *c, Scan *s, uint32_t b)
+static void scan_block(Check *c, EdgeScan *s, uint32_t b)
 {
   const MeshBlock *k = &c->m->block[b];
   size_t corners = (size_t)elem_corners(k->type), nodes = (size_t)elem_nodes(k->type), h = c->edges.base[b];
@@ -180,7 +180,7 @@ static void wanted_uses(const Check *c, U64Vec *wanted)
   sort_u64(wanted);
 }
 
-static void check_lost(Check *c, Scan *s)
+static void check_lost(Check *c, EdgeScan *s)
 {
   const Mesh *m = c->m;
   U64Vec wanted = {0};
@@ -245,7 +245,7 @@ static bool bounds(const MeshEntity *face, int curve)
   return face->boundary.len == 0;
 }
 
-static void check_holes(Check *c, const Scan *s)
+static void check_holes(Check *c, const EdgeScan *s)
 {
   const Mesh *m = c->m;
   bool *closed = closed_faces(c);
@@ -340,7 +340,7 @@ static uint32_t node_within(const Grid *g, uint32_t p, uint32_t q)
   return NONE;
 }
 
-static void check_junctions(Check *c, Scan *s)
+static void check_junctions(Check *c, EdgeScan *s)
 {
   const Mesh *m = c->m;
   // Edges that two faces share are no boundary of their union.
@@ -372,7 +372,7 @@ static void check_junctions(Check *c, Scan *s)
 void check__conformity(Check *c)
 {
   const Mesh *m = c->m;
-  Scan s = {.on_line = mem_zalloc(m->nnode)};
+  EdgeScan s = {.on_line = mem_zalloc(m->nnode)};
   gather_lines(c, s.on_line);
   for (uint32_t b = 0; b < m->nblock; b++)
     if (elem_dim(m->block[b].type) == 2) scan_block(c, &s, b);

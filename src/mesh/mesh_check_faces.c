@@ -31,10 +31,34 @@ static void sum_add(Sum *s, double x)
   s->size += fabs(x);
 }
 
+// Sign of the face's normal along z, by the majority of a sample.
+static int turn_in_xy(const Mesh *m, const Face *f)
+{
+  enum { SAMPLE = 255 };
+  int sum = 0;
+  for (uint32_t b = f->first; b < f->last; b++) {
+    const MeshBlock *k = &m->block[b];
+    for (size_t i = 0; i < k->n; i += k->n / SAMPLE + 1) {
+      const uint32_t *v = k->node + i * (size_t)elem_nodes(k->type);
+      sum += orient2d(m->xyz + 3 * (size_t)v[0], m->xyz + 3 * (size_t)v[1], m->xyz + 3 * (size_t)v[2]);
+    }
+  }
+  return sum < 0 ? -1 : 1;
+}
+
 // A face is plane if no corner is farther from its plane than 1e-6 of its size: then no fold can hide in the projection.
 static void look_at(Check *c, Face *f)
 {
   const Mesh *m = c->m;
+  bool flat = true;
+  double z = m->xyz[3 * (size_t)m->block[f->first].node[0] + 2];
+  for (uint32_t b = f->first; flat && b < f->last; b++)
+    for (size_t i = 0; flat && i < m->block[b].n * (size_t)elem_nodes(m->block[b].type); i++)
+      flat = m->xyz[3 * (size_t)m->block[b].node[i] + 2] == z;
+  if (flat) {
+    *f = (Face){f->entity, f->first, f->last, 0, 1, turn_in_xy(m, f), true, 0};
+    return;
+  }
   Vec3 n = mesh_area_vector(m, f->entity);
   double a[3] = {n.x, n.y, n.z}, len = vec3_length(n), size;
   int drop = fabs(a[2]) >= fabs(a[0]) && fabs(a[2]) >= fabs(a[1]) ? 2 : fabs(a[0]) >= fabs(a[1]) ? 0 : 1;
@@ -42,7 +66,7 @@ static void look_at(Check *c, Face *f)
   f->j = drop == 2 ? 1 : 2;
   f->sign = (a[drop] < 0 ? -1 : 1) * (drop == 1 ? -1 : 1);
   f->plane = len > 0;
-  if (!f->plane || (m->entity[f->entity].lo.z == m->entity[f->entity].hi.z && drop == 2)) return;
+  if (!f->plane) return;
   n = vec3_scale(1 / len, n);
   Vec3 origin = mesh_xyz(m, m->block[f->first].node[0]);
   double off = 0;
@@ -61,7 +85,7 @@ static void project(const Check *c, const Face *f, uint32_t node, double p[2])
   p[1] = c->m->xyz[3 * (size_t)node + (size_t)f->j];
 }
 
-static void check_element(Check *c, const Face *f, uint32_t b, size_t i, const double p[4][2], int corners)
+static void check_element(Check *c, const Face *f, uint32_t b, size_t i, double p[4][2], int corners)
 {
   const MeshBlock *k = &c->m->block[b];
   int worst = 1;
