@@ -147,3 +147,17 @@ void arena_free(Arena *a)
   a->head = NULL;
   a->used = 0;
 }
+
+void arena_reset(Arena *a)
+{
+  ArenaBlock *keep = a->head;
+  if (keep && keep->cap == ARENA_BLOCK) {
+    a->head = keep->next;
+    arena_free(a);
+    keep->next = NULL;
+    keep->used = 0;
+    a->head = keep;
+  } else {
+    arena_free(a);
+  }
+}

@@ -280,9 +280,19 @@ static Node *parse_block(Parser *p)
   return block;
 }
 
+void parse__superfluous_semicolon(Parser *p)
+{
+  if (!parse__at(p, ';') || p->tok.loc.line != p->last_end.line) return;
+  diag_warning(p->diag, p->tok.loc, "this ';' is superfluous (a syntax error for Gmsh)");
+  parse__advance(p);
+}
+
 static void end_block(Parser *p, Keyword k, SrcLoc begin, const char *what, const char *end)
 {
-  if (parse__accept_word(p, k)) return;
+  if (parse__accept_word(p, k)) {
+    parse__superfluous_semicolon(p);
+    return;
+  }
   parse__fail(p, begin, "this %s has no %s", what, end);
 }
 
@@ -365,38 +375,39 @@ Node *parse__block_statement(Parser *p)
   }
 }
 
+// The condition after If or ElseIf, or NULL after a syntax error.
+static Node *guarded_condition(Parser *p)
+{
+  jmp_buf here, *outer = p->on_error;
+  Node *volatile n = NULL;
+  p->on_error = &here;
+  if (setjmp(here) == 0) {
+    parse__advance(p);
+    n = parse__number(p);
+  } else {
+    n = NULL;
+    p->stack.len = 0;
+    p->nesting = 0;
+  }
+  p->on_error = outer;
+  return n;
+}
+
 NextKind parse_next(Parser *p, Arena *arena, Node **out)
 {
   p->arena = arena;
   *out = NULL;
   if (p->tok.kind == TOK_END) return NEXT_END;
-  NextKind kind = NEXT_STATEMENT;
-  if (p->tok.kind == TOK_WORD) {
-    switch (p->tok.word) {
-    case KW_If: kind = NEXT_IF; break;
-    case KW_ElseIf: kind = NEXT_ELSEIF; break;
-    case KW_Else: parse__advance(p); return NEXT_ELSE;
-    case KW_EndIf: parse__advance(p); return NEXT_ENDIF;
-    default: break;
-    }
+  uint32_t word = p->tok.kind == TOK_WORD ? p->tok.word : KW_COUNT;
+  if (word == KW_Else || word == KW_EndIf) {
+    parse__advance(p);
+    if (word == KW_EndIf) parse__superfluous_semicolon(p);
+    return word == KW_Else ? NEXT_ELSE : NEXT_ENDIF;
   }
-  if (kind == NEXT_STATEMENT) {
-    *out = guarded_statement(p);
-  } else {
-    jmp_buf here, *outer = p->on_error;
-    p->on_error = &here;
-    if (setjmp(here) == 0) {
-      parse__advance(p);
-      *out = parse__number(p);
-    } else {
-      p->stack.len = 0;
-      p->nesting = 0;
-      *out = NULL;
-    }
-    p->on_error = outer;
-  }
+  bool branch = word == KW_If || word == KW_ElseIf;
+  *out = branch ? guarded_condition(p) : guarded_statement(p);
   if (!*out) diag_error(p->diag, p->error_loc, "%s", str_text(&p->error));
-  return kind;
+  return !branch ? NEXT_STATEMENT : word == KW_If ? NEXT_IF : NEXT_ELSEIF;
 }
 
 bool parse_skip_branch(Parser *p, bool to_end)

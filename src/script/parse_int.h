@@ -46,5 +46,6 @@ Node *parse__define_constant(Parser *p);
 Node *parse__view(Parser *p, SrcLoc loc);
 bool parse__ends_block(const Parser *p);
 void parse__semicolon(Parser *p);      // the end of a statement
+void parse__superfluous_semicolon(Parser *p); // a ';' after something that needs none: a warning
 
 #endif

@@ -103,8 +103,8 @@ static Node *parse_shapes(Parser *p, ExtrudeParameters *parameters)
     if (parameters && parse_extrude_parameter(p, parameters)) continue;
     SrcLoc loc = p->tok.loc;
     if (parse__at(p, ';')) {
-      diag_warning(p->diag, loc, "empty statement: this ';' is superfluous (a syntax error for Gmsh)");
-      parse__advance(p);
+      p->last_end.line = loc.line;
+      parse__superfluous_semicolon(p);
       continue;
     }
     parse__accept_word(p, KW_Parent);

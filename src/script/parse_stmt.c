@@ -270,7 +270,7 @@ static Node *parse_delete(Parser *p, bool recursive)
   uint32_t word = KW_COUNT;
   if (parse__at(p, '{')) {
     what = parse__shapes(p);
-    parse__accept(p, ';');
+    parse__superfluous_semicolon(p);
   } else {
     Token name = p->tok;
     if (name.kind != TOK_WORD) parse__expected(p, "shapes in braces, or what to delete");
@@ -664,11 +664,10 @@ static Node *parse_value_statement(Parser *p)
 {
   SrcLoc loc = p->tok.loc;
   Node *command = parse__command(p);
-  if (parse__at(p, ';')) {
-    bool quiet = command->kind == NODE_SPLIT || command->kind == NODE_UNSUPPORTED;
-    if (!quiet) diag_warning(p->diag, p->tok.loc, "superfluous ';' after this command (a syntax error for Gmsh)");
-    parse__advance(p);
-  }
+  if (command->kind == NODE_SPLIT || command->kind == NODE_UNSUPPORTED)
+    parse__accept(p, ';');
+  else
+    parse__superfluous_semicolon(p);
   return parse__node1(p, NODE_VALUE, loc, command);
 }
 
@@ -851,8 +850,8 @@ Node *parse__statement(Parser *p)
 {
   Token t = p->tok;
   if (t.kind == ';') {
-    diag_warning(p->diag, t.loc, "empty statement: this ';' is superfluous (a syntax error for Gmsh)");
-    parse__advance(p);
+    p->last_end.line = t.loc.line;
+    parse__superfluous_semicolon(p);
     return parse__node(p, NODE_BLOCK, t.loc, 0);
   }
   if (t.kind == TOK_SHIFT_LEFT || t.kind == TOK_SHIFT_RIGHT || t.kind == TOK_EQ) {

@@ -1,0 +1,286 @@
+// run_define.c - entities and physical groups
+// SPDX-License-Identifier: MIT
+#include "base/base.h"
+
+#include "script/eval_int.h"
+
+// Where the messages of a statement go whose arguments were wrong: the model shall remember the refusal, the user has
+// been told already.
+static Diag *sink(Script *s, int faults, Diag **quiet)
+{
+  *quiet = s->faults > faults ? diag_child(s->diag) : NULL;
+  return *quiet ? *quiet : s->diag;
+}
+
+static bool eval_tag(Script *s, const Node *n, int *tag)
+{
+  int faults = s->faults;
+  *tag = eval_int(s, n);
+  if (s->faults > faults) return false;
+  if (*tag >= 0) return true;
+  script__error(s, n->loc, "a tag must be positive, not %d", *tag);
+  return false;
+}
+
+static void define_point(Script *s, const Node *n, int tag)
+{
+  const Node *list = n->kid[1];
+  double c[5] = {0, 0, 0, 0, 0};
+  size_t count = 0;
+  bool plain = list->kind == NODE_LIST && list->n <= 5;
+  for (uint32_t i = 0; plain && i < list->n; i++) plain = !node_is_list(list->kid[i]);
+  if (plain) {
+    for (count = 0; count < list->n; count++) c[count] = eval_number(s, list->kid[count]);
+  } else {
+    DoubleVec *v = script__take(s);
+    eval_list(s, list, v);
+    count = v->len;
+    memcpy(c, v->data, MIN(count, ARRAY_LEN(c)) * sizeof c[0]);
+    script__give(s, v);
+  }
+  if (count < 3 || count > 5) {
+    script__error(s, list->loc, "a point needs 3 coordinates {x, y, z}, or 4 numbers with the mesh size; %zu given", count);
+    if (count > 5) return;
+  }
+  double f = s->options->Geometry_ScalingFactor;
+  model_add_point(s->model, tag, (Vec3){f * c[0], f * c[1], f * c[2]}, count > 3 ? f * c[3] : 0, n->loc, s->diag);
+}
+
+static CurveType curve_type(uint32_t word)
+{
+  switch (word) {
+  case KW_Line: return CURVE_LINE;
+  case KW_Circle: return CURVE_CIRCLE;
+  case KW_Ellipse: return CURVE_ELLIPSE;
+  case KW_Spline: return CURVE_SPLINE;
+  case KW_BSpline: return CURVE_BSPLINE;
+  case KW_Bezier: return CURVE_BEZIER;
+  case KW_Nurbs: return CURVE_NURBS;
+  default: UNREACHABLE();
+  }
+}
+
+static void define_curve(Script *s, const Node *n, int tag)
+{
+  int faults = s->faults;
+  IntVec points = {0};
+  DoubleVec knots = {0};
+  Vec3 plane;
+  const Vec3 *normal = NULL;
+  Diag *quiet;
+  eval_ints(s, n->kid[1], n->op ? 1 : 0, &points);
+  if (n->op) { // Compound Spline
+    int samples = n->n > 2 && n->kid[2] ? eval_int(s, n->kid[2]) : 5;
+    Diag *diag = sink(s, faults, &quiet);
+    model_add_compound_spline(s->model, curve_type(n->word), tag, points.data, points.len, samples, n->loc, diag);
+  } else {
+    if (n->word == KW_Nurbs) {
+      if (n->n < 4) script__error(s, n->loc, "Nurbs needs 'Knots {..} Order n'");
+      else eval_list(s, n->kid[2], &knots);
+    } else if (n->n > 2) {
+      plane = eval_vector(s, n->kid[2]);
+      normal = &plane;
+    }
+    Diag *diag = sink(s, faults, &quiet);
+    model_add_curve(s->model, curve_type(n->word), tag, points.data, points.len, normal, knots.data, knots.len, n->loc, diag);
+  }
+  diag_free(quiet);
+  vec_free(&points);
+  vec_free(&knots);
+}
+
+static void define_surface(Script *s, const Node *n, int tag)
+{
+  int faults = s->faults;
+  IntVec tags = {0};
+  Diag *quiet;
+  eval_ints(s, n->kid[1], -1, &tags);
+  Diag *diag = sink(s, faults, &quiet);
+  switch (n->word) {
+  case KW_Loop:
+    if (n->op == 1)
+      model_add_loop(s->model, tag, tags.data, tags.len, n->loc, diag);
+    else
+      model_add_surface_loop(s->model, tag, tags.data, tags.len, n->loc, diag);
+    break;
+  case KW_Plane: model_add_face(s->model, FACE_PLANE, tag, tags.data, tags.len, n->loc, diag); break;
+  case KW_Surface:
+    if (n->n > 2)
+      diag_warning(s->diag, n->loc, "'In Sphere' is not supported: surface %d is filled between its curves", tag);
+    model_add_face(s->model, FACE_FILLING, tag, tags.data, tags.len, n->loc, diag);
+    break;
+  case KW_Volume:
+    if (!s->volumes_noted) log_info(s->diag, "volumes are kept for their faces, and not meshed");
+    s->volumes_noted = true;
+    model_add_volume(s->model, tag, tags.data, tags.len, n->loc, diag);
+    break;
+  default: UNREACHABLE();
+  }
+  diag_free(quiet);
+  vec_free(&tags);
+}
+
+// ---- OpenCASCADE's flat shapes, made of points, lines and arcs ----------------------------------------------------------
+
+static int add_point(Script *s, double x, double y, double z, SrcLoc loc)
+{
+  return model_add_point(s->model, -1, (Vec3){x, y, z}, 0, loc, s->diag);
+}
+
+static int add_line(Script *s, int a, int b, SrcLoc loc)
+{
+  return model_add_curve(s->model, CURVE_LINE, -1, (int[]){a, b}, 2, NULL, NULL, 0, loc, s->diag);
+}
+
+static int add_arc(Script *s, int a, int centre, int b, SrcLoc loc)
+{
+  const Vec3 up = {0, 0, 1};
+  return model_add_curve(s->model, CURVE_CIRCLE, -1, (int[]){a, centre, b}, 3, &up, NULL, 0, loc, s->diag);
+}
+
+static void add_face(Script *s, int tag, const int *curve, size_t n, SrcLoc loc)
+{
+  int loop = model_add_loop(s->model, -1, curve, n, loc, s->diag);
+  if (loop > 0) model_add_face(s->model, FACE_PLANE, tag, &loop, 1, loc, s->diag);
+}
+
+// Rectangle(n) = {x, y, z, dx, dy [, radius of the corners]}
+static void define_rectangle(Script *s, const Node *n, int tag, const DoubleVec *v)
+{
+  if (v->len < 5 || v->len > 6) {
+    script__error(s, n->loc, "a Rectangle needs {x, y, z, dx, dy} and perhaps the radius of its corners; %zu numbers given",
+                  v->len);
+    return;
+  }
+  double x = v->data[0], y = v->data[1], z = v->data[2], dx = v->data[3], dy = v->data[4];
+  double r = v->len > 5 ? fabs(v->data[5]) : 0;
+  if (dx == 0 || dy == 0 || 2 * r >= fmin(fabs(dx), fabs(dy))) {
+    script__error(s, n->loc, r > 0 ? "the corners of this Rectangle are larger than its sides" : "this Rectangle has no area");
+    return;
+  }
+  if (dx < 0) x += dx, dx = -dx;
+  if (dy < 0) y += dy, dy = -dy;
+  int c[8];
+  if (r == 0) {
+    int p[4] = {add_point(s, x, y, z, n->loc), add_point(s, x + dx, y, z, n->loc), add_point(s, x + dx, y + dy, z, n->loc),
+                add_point(s, x, y + dy, z, n->loc)};
+    for (int i = 0; i < 4; i++) c[i] = add_line(s, p[i], p[(i + 1) % 4], n->loc);
+    add_face(s, tag, c, 4, n->loc);
+    return;
+  }
+  const double cx[4] = {x + dx - r, x + dx - r, x + r, x + r}, cy[4] = {y + r, y + dy - r, y + dy - r, y + r};
+  const double ux[5] = {0, 1, 0, -1, 0}, uy[5] = {-1, 0, 1, 0, -1};
+  int p[8];
+  for (int i = 0; i < 4; i++) {
+    p[2 * i] = add_point(s, cx[i] + r * ux[i], cy[i] + r * uy[i], z, n->loc);
+    p[2 * i + 1] = add_point(s, cx[i] + r * ux[i + 1], cy[i] + r * uy[i + 1], z, n->loc);
+  }
+  for (int i = 0; i < 4; i++) {
+    c[2 * i] = add_arc(s, p[2 * i], add_point(s, cx[i], cy[i], z, n->loc), p[2 * i + 1], n->loc);
+    c[2 * i + 1] = add_line(s, p[2 * i + 1], p[(2 * i + 2) % 8], n->loc);
+  }
+  add_face(s, tag, c, 8, n->loc);
+}
+
+// Disk(n) = {x, y, z, rx [, ry]}: four arcs; OpenCASCADE makes one closed curve.
+static void define_disk(Script *s, const Node *n, int tag, const DoubleVec *v)
+{
+  if (v->len < 4 || v->len > 5) {
+    script__error(s, n->loc, "a Disk needs {x, y, z, rx} and perhaps ry; %zu numbers given", v->len);
+    return;
+  }
+  double x = v->data[0], y = v->data[1], z = v->data[2], rx = v->data[3], ry = v->len > 4 ? v->data[4] : rx;
+  if (!(rx > 0 && ry > 0)) {
+    script__error(s, n->loc, "the radius of a Disk must be positive");
+    return;
+  }
+  int p[4] = {add_point(s, x + rx, y, z, n->loc), add_point(s, x, y + ry, z, n->loc), add_point(s, x - rx, y, z, n->loc),
+              add_point(s, x, y - ry, z, n->loc)};
+  int centre = add_point(s, x, y, z, n->loc), c[4];
+  for (int i = 0; i < 4; i++) {
+    int a = p[i], b = p[(i + 1) % 4];
+    c[i] = rx == ry ? add_arc(s, a, centre, b, n->loc)
+                    : model_add_curve(s->model, CURVE_ELLIPSE, -1, (int[]){a, centre, rx > ry ? p[0] : p[1], b}, 4, NULL, NULL,
+                                      0, n->loc, s->diag);
+  }
+  add_face(s, tag, c, 4, n->loc);
+}
+
+static void define_flat(Script *s, const Node *n, int tag)
+{
+  if (!model_settings(s->model)->opencascade) {
+    script__error(s, n->loc, "%s needs SetFactory(\"OpenCASCADE\"); first", words_text(&s->words, n->word));
+    return;
+  }
+  int faults = s->faults;
+  DoubleVec *v = script__take(s);
+  eval_list(s, n->kid[1], v);
+  if (s->faults == faults) {
+    if (n->word == KW_Rectangle)
+      define_rectangle(s, n, tag, v);
+    else
+      define_disk(s, n, tag, v);
+  }
+  script__give(s, v);
+}
+
+// Circle(n) = {x, y, z, r [, from, to]} and Ellipse(n) = {x, y, z, rx, ry [, from, to]} of OpenCASCADE. An arc of pi or more
+// is not one curve here, so only shorter ones can be made.
+static void refuse_centred_arc(Script *s, const Node *n)
+{
+  script__error(s, n->loc, "%s by centre and radius needs the OpenCASCADE kernel; make it of arcs {start, centre, end}",
+                words_text(&s->words, n->word));
+}
+
+void run_define(Script *s, const Node *n)
+{
+  int tag;
+  if (!eval_tag(s, n->kid[0], &tag)) return;
+  if (!script__charge(s, COST_ENTITY, n->loc)) return;
+  switch (n->word) {
+  case KW_Point: define_point(s, n, tag); return;
+  case KW_Circle:
+  case KW_Ellipse: {
+    uint32_t given = n->kid[1]->kind == NODE_LIST ? n->kid[1]->n : 0;
+    if (model_settings(s->model)->opencascade && (n->word == KW_Circle ? given >= 4 : given >= 5)) {
+      refuse_centred_arc(s, n);
+      return;
+    }
+    define_curve(s, n, tag);
+    return;
+  }
+  case KW_Line:
+  case KW_Spline:
+  case KW_BSpline:
+  case KW_Bezier:
+  case KW_Nurbs: define_curve(s, n, tag); return;
+  case KW_Rectangle:
+  case KW_Disk: define_flat(s, n, tag); return;
+  default: define_surface(s, n, tag);
+  }
+}
+
+// ---- physical groups --------------------------------------------------------------------------------------------------------
+
+void run_physical(Script *s, const Node *n)
+{
+  int faults = s->faults, tag = -1, dim = n->op;
+  const char *name = NULL;
+  if (eval_is_text(s, n->kid[0])) {
+    name = eval_text(s, n->kid[0]);
+    if (n->kid[1]) tag = eval_int(s, n->kid[1]);
+  } else {
+    tag = eval_int(s, n->kid[0]);
+    if (n->kid[1]) script__error(s, n->kid[1]->loc, "a physical group is given by number, by name, or by \"name\", number");
+  }
+  if (s->faults == faults && tag < 0 && !(name && !n->kid[1])) {
+    script__error(s, n->kid[0]->loc, "a tag must be positive, not %d", tag);
+    return;
+  }
+  IntVec tags = {0};
+  eval_ints(s, n->kid[2], dim, &tags);
+  static const GroupOp ops[] = {GROUP_SET, GROUP_ADD, GROUP_REMOVE};
+  if (s->faults == faults && script__charge(s, COST_ENTITY, n->loc))
+    model_group_edit(s->model, dim, tag, name, ops[n->flags], tags.data, tags.len, n->loc, s->diag);
+  vec_free(&tags);
+}
