@@ -7,7 +7,7 @@
 #include "base/number.h"
 #include "script/limits.h"
 
-enum { BLANK = 1, DIGIT = 2, LETTER = 4 };
+enum { BLANK = 1, DIGIT = 2, LETTER = 4, SIGN = 8 };
 
 static const unsigned char class_of[256] = {
   [' '] = BLANK, ['\t'] = BLANK, ['\r'] = BLANK, ['\f'] = BLANK, ['\v'] = BLANK, [0] = BLANK,
@@ -17,6 +17,10 @@ static const unsigned char class_of[256] = {
   ['a'] = LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER,
   LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER,
   ['_'] = LETTER,
+  ['+'] = SIGN, ['-'] = SIGN, ['*'] = SIGN, ['/'] = SIGN, ['%'] = SIGN, ['^'] = SIGN, ['('] = SIGN, [')'] = SIGN,
+  ['['] = SIGN, [']'] = SIGN, ['{'] = SIGN, ['}'] = SIGN, [','] = SIGN, [';'] = SIGN, ['.'] = SIGN, ['#'] = SIGN,
+  ['~'] = SIGN, ['!'] = SIGN, ['<'] = SIGN, ['>'] = SIGN, ['='] = SIGN, ['&'] = SIGN, ['|'] = SIGN, ['?'] = SIGN,
+  [':'] = SIGN,
 };
 
 static bool is(char c, int classes) { return class_of[(unsigned char)c] & classes; }
@@ -77,10 +81,33 @@ static Token bad(Lexer *l, Token t, const char *problem)
   return t;
 }
 
+// The value of digits[.digits] without exponent: exact when the digits are an integer below 2^53 and the power of ten is
+// exact too [Clinger1990]; otherwise left to number_read.
+static double decimal_value(const char *s, const char *end, bool simple)
+{
+  static const double tens[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+  double v = 0;
+  if (simple && end - s <= 17) {
+    uint64_t m = 0;
+    const char *dot = NULL;
+    for (const char *p = s; p < end; p++) {
+      if (*p == '.')
+        dot = p;
+      else
+        m = 10 * m + (uint64_t)(*p - '0');
+    }
+    if (m <= (uint64_t)1 << 53) return dot ? (double)m / tens[end - dot - 1] : (double)m;
+  }
+  if (end[-1] == '.') end--;
+  number_read(s, end, &v);
+  return v;
+}
+
 static Token read_number(Lexer *l, Token t)
 {
   const char *p = l->at;
-  bool dot = false;
+  bool dot = false, simple = true;
   while (p < l->end && is(*p, DIGIT)) p++;
   if (p < l->end && *p == '.') { // "1..." is the range token after 1
     dot = !(l->end - p >= 3 && p[1] == '.' && p[2] == '.');
@@ -95,16 +122,12 @@ static Token read_number(Lexer *l, Token t)
     if (q < l->end && is(*q, DIGIT)) {
       while (q < l->end && is(*q, DIGIT)) q++;
       p = q;
+      simple = false;
     }
   }
   t.kind = TOK_NUMBER;
   t.len = (size_t)(p - l->at);
-  if (dot && t.len < 40 && p[-1] == '.') { // number_read may want no trailing point
-    t.number = 0;
-    number_read(l->at, p - 1, &t.number);
-  } else {
-    number_read(l->at, p, &t.number);
-  }
+  t.number = decimal_value(l->at, p, simple);
   l->at = p;
   if (l->at < l->end && (is(*l->at, LETTER) || (*l->at == '.' && dot))) {
     while (l->at < l->end && (is(*l->at, LETTER | DIGIT) || *l->at == '.')) l->at++;
@@ -161,6 +184,15 @@ static int double_token(char a, char b)
   }
 }
 
+static const char *problem_of(char c)
+{
+  if ((unsigned char)c >= 128) return "letters beyond ASCII may stand in strings and comments only";
+  if (c == '$' || c == '@') return "is this the placeholder of a template that was not filled in?";
+  if (c == '\\') return "a backslash means nothing here; a comment begins with //";
+  if (c == '`') return "a backquote means nothing here; strings stand in \"..\"";
+  return "this character means nothing here";
+}
+
 static Token read_sign(Lexer *l, Token t)
 {
   char c = *l->at;
@@ -174,10 +206,9 @@ static Token read_sign(Lexer *l, Token t)
   t.len = two ? 2 : 1;
   l->at += t.len;
   t.kind = two ? two : c == ':' ? TOK_RANGE : c;
-  if (!strchr("+-*/%^()[]{},;.#~!<>=&|?:", c)) {
+  if (!is(c, SIGN)) {
     while ((unsigned char)c >= 128 && l->at < l->end && (unsigned char)*l->at >= 128) l->at++;
-    return bad(l, t, (unsigned char)c < 128 ? "this character means nothing here"
-                                            : "letters beyond ASCII may stand in strings and comments only");
+    return bad(l, t, problem_of(c));
   }
   return t;
 }

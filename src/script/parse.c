@@ -229,6 +229,7 @@ static Node *guarded_statement(Parser *p)
   bool in_macro = p->in_macro;
   Node *volatile n = NULL;
   p->on_error = &here;
+  p->failed_word = p->tok.kind == TOK_WORD ? p->tok.word : NONE;
   if (setjmp(here) == 0) {
     n = parse__statement(p);
   } else {

@@ -246,6 +246,8 @@ static Node *parse_entities(Parser *p)
     n = parse__node1(p, NODE_IN_BOX, loc, parse__braced_numbers(p, "'{'"));
   } else if (parse__at(p, '{')) {
     n = parse__node1(p, NODE_ENTITIES, loc, parse_braces(p, true));
+  } else if (parse__at(p, TOK_STRING)) { // Surface "*", the old form of Surface{:}
+    n = parse__node1(p, NODE_ENTITIES, loc, parse__list_or_all(p));
   } else {
     parse__expected(p, "'{'");
   }
@@ -375,6 +377,7 @@ static Node *parse_primary(Parser *p)
   case '(': return parse_parenthesis(p);
   case '{': return parse_braces(p, false);
   case '#': return parse_length(p);
+  case '[': parse__fail(p, t.loc, "a list stands in braces, {1, 2, 3}, not in brackets");
   default: parse__expected(p, "a value");
   }
 }

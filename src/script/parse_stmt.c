@@ -846,6 +846,18 @@ static Node *parse_keyword(Parser *p)
   parse__expected(p, "a statement");
 }
 
+// A line of <<<<<<<, ======= or >>>>>>>; only the first is reported.
+static Node *parse_merge_mark(Parser *p)
+{
+  Token t = p->tok;
+  while (p->tok.kind != TOK_END && p->tok.loc.line == t.loc.line) parse__advance(p);
+  bool again = p->merge_marks;
+  p->merge_marks = true;
+  Node *n = parse__node(p, again ? NODE_BLOCK : NODE_UNSUPPORTED, t.loc, 0);
+  n->text = "the marks of a merge conflict were left in this file by a version control program";
+  return n;
+}
+
 Node *parse__statement(Parser *p)
 {
   Token t = p->tok;
@@ -854,13 +866,7 @@ Node *parse__statement(Parser *p)
     parse__superfluous_semicolon(p);
     return parse__node(p, NODE_BLOCK, t.loc, 0);
   }
-  if (t.kind == TOK_SHIFT_LEFT || t.kind == TOK_SHIFT_RIGHT || t.kind == TOK_EQ) {
-    while (p->tok.kind != TOK_END && parse__peek(p).loc.line == t.loc.line) parse__advance(p);
-    Node *n = parse__node(p, NODE_UNSUPPORTED, t.loc, 0);
-    n->text = "these marks of a merge conflict were left in the file by a version control program";
-    parse__advance(p);
-    return n;
-  }
+  if (t.kind == TOK_SHIFT_LEFT || t.kind == TOK_SHIFT_RIGHT || t.kind == TOK_EQ) return parse_merge_mark(p);
   if (t.kind != TOK_WORD) parse__expected(p, "a statement");
   if (t.word >= KW_COUNT) return parse_assignment(p);
   return keyword_reserved(t.word) ? parse_keyword(p) : parse_soft(p);

@@ -244,7 +244,10 @@ static void run_text(Run *r)
     if (diag_full(s->diag)) break;
     switch (next) {
     case NEXT_STATEMENT:
-      if (n) run_statement(s, n);
+      if (n)
+        run_statement(s, n);
+      else if (r->p.failed_word != NONE && r->p.failed_word >= KW_COUNT) // x = <error>: do not complain about x again
+        script__variable(s, r->p.failed_word)->reported = true;
       break;
     case NEXT_IF:
       vec_push(&r->ifs, at);

@@ -107,7 +107,8 @@ static void define_surface(Script *s, const Node *n, int tag)
   case KW_Surface:
     if (n->n > 2)
       diag_warning(s->diag, n->loc, "'In Sphere' is not supported: surface %d is filled between its curves", tag);
-    model_add_face(s->model, FACE_FILLING, tag, tags.data, tags.len, n->loc, diag);
+    // with holes it can only be plane
+    model_add_face(s->model, tags.len > 1 ? FACE_PLANE : FACE_FILLING, tag, tags.data, tags.len, n->loc, diag);
     break;
   case KW_Volume:
     if (!s->volumes_noted) log_info(s->diag, "volumes are kept for their faces, and not meshed");

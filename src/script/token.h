@@ -16,7 +16,7 @@ typedef enum {
 #undef RESERVED
 #undef SOFT
 #undef SYNONYM
-  KW_COUNT
+  KW_COUNT // also: no word
 } Keyword;
 
 bool keyword_reserved(uint32_t word);

@@ -84,6 +84,7 @@ void words_init(Words *w)
   *w = (Words){0};
   grow(w);
   for (int i = 0; i < KW_COUNT; i++) words_intern(w, keywords[i].text, strlen(keywords[i].text));
+  words_intern(w, "", 0); // so that no name has the id KW_COUNT, which means "no word" in the tree
 }
 
 void words_free(Words *w)

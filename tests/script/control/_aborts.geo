@@ -1,0 +1,3 @@
+Printf("in the aborted file");
+Abort;
+Printf("never");

@@ -1,0 +1,3 @@
+Printf("before");                                // expect: before
+Exit 3;                                          // expect: [exit 3]
+Printf("never");

@@ -1,0 +1,2 @@
+Macro f                                          // expect error: this Macro has no Return
+  x = 1;

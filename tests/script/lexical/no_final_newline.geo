@@ -1,0 +1,2 @@
+a = 5; // expect: 5
+Printf("%g", a);
