@@ -6,6 +6,7 @@
 
 #include "base/thread.h"
 #include "mesh/face_graph.h"
+#include "mesh/structured.h"
 #include "tri/refine.h"
 #include "tri/tri.h"
 
@@ -100,6 +101,8 @@ static void mesh_one(void *ctx, size_t i, int worker)
   size_t k = d->order[i];
   const Face *f = model_face_at(d->in->model, k);
   check_context("mesh 2D", f->tag);
+  if (structured_face(d->in, f, d->nodes, &d->face[k], d->diag[k])) return;
+  if (extruded_face(d->in, f, d->nodes, &d->face[k], d->diag[k])) return;
   mesh_plane_face(d, f, d->eval[worker], &d->face[k], d->diag[k]);
 }
 

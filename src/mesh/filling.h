@@ -1,0 +1,31 @@
+// filling.h - the surface that fills three or four curves (Surface, Ruled Surface): transfinite interpolation of them
+// SPDX-License-Identifier: MIT
+//
+//          c3                 Four curves: u runs along the first, v along the second; the surface is the sum of the two
+//    4 <---------- 3          ruled ones less the bilinear one [Gordon73].
+//  c4|             ^ c2
+//    v             |          Three curves: the parameters are those of the triangle (0,0), (1,0), (1,1), whose corners are the
+//    1 ----------> 2          ends of the curves; each corner sends its two curves, and the three are blended by barycentric
+//          c1                 coordinates [Perronnet98].
+#ifndef MESH_FILLING_H
+#define MESH_FILLING_H
+
+#include "base/base.h"
+#include "geom/vec.h"
+#include "model/model.h"
+
+typedef struct {
+  const Model *model;
+  int n;                // 3 or 4 curves
+  const Curve *curve[4];
+  bool reversed[4];
+  Vec3 corner[4];       // where each begins
+} Filling;
+
+// False if the face is not one loop of 3 or 4 curves.
+bool filling_init(Filling *s, const Model *m, const Face *f);
+Vec3 filling_point(const Filling *s, double u, double v);
+// Parameters of the place t (0 to 1, in the sense of the loop) on the k-th side.
+Vec2 filling_side(const Filling *s, int k, double t);
+
+#endif
