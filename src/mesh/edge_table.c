@@ -76,7 +76,8 @@ static void copy_entities(Mesh *out, const Mesh *m)
 {
   for (size_t i = 0; i < m->nentity; i++) {
     const MeshEntity *from = &m->entity[i];
-    MeshEntity *to = &out->entity[mesh_add_entity(out, from->dim, from->tag)];
+    uint32_t id = mesh_add_entity(out, from->dim, from->tag);
+    MeshEntity *to = &out->entity[id];
     to->lo = from->lo;
     to->hi = from->hi;
     for (size_t k = 0; k < from->physical.len; k++) vec_push(&to->physical, from->physical.data[k]);
@@ -181,6 +182,12 @@ uint32_t enriched_at(const Enriched *e, const EdgeTable *t, int per_edge, uint32
 {
   uint32_t i = edge_table_find(t, a, b);
   return e->edge[i] + (uint32_t)(t->edge[i].a == a ? k : per_edge - 1 - k);
+}
+
+uint32_t *enriched_block(Enriched *e, uint32_t entity, ElemType type, size_t n)
+{
+  uint32_t b = mesh_add_block(e->mesh, entity, type, n);
+  return e->mesh->block[b].node;
 }
 
 // Pairs of the nodes added to edge i of the slave.

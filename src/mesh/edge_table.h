@@ -44,6 +44,8 @@ void enrich(Enriched *out, const Mesh *m, const EdgeTable *t, int per_edge, int 
 void enriched_free(Enriched *e, const Mesh *m);
 // The k-th (0 ..) of the nodes added to the edge from node a to node b of the old mesh, counted from a.
 uint32_t enriched_at(const Enriched *e, const EdgeTable *t, int per_edge, uint32_t a, uint32_t b, int k);
+// Add a block and return its nodes, to be filled.
+uint32_t *enriched_block(Enriched *e, uint32_t entity, ElemType type, size_t n);
 // Carry the periodic pairs over: old nodes, and added ones where the master has the edge too. Added slaves of pairs that have
 // an affine map are moved to the images of their masters, bit for bit.
 void enrich_periodic(const Enriched *e, const Mesh *m, const EdgeTable *t, int per_edge);

@@ -105,13 +105,14 @@ typedef struct {
   int source_side; // of the filling
 } Motion;
 
-static Motion motion_of(const Sweeping *s)
+static bool motion_of(const Sweeping *s, Motion *motion)
 {
   const Model *m = s->in->model;
   int which = s->side[0] != NONE ? 0 : 1;
   const Curve *c = model_curve_at(m, s->side[which]);
   bool back = s->side_back[which];
   Motion r = {.kind = SWEEP_OTHER};
+  bool found = true;
   Vec3 a = model_point(m, back ? c->end : c->begin)->xyz, b = model_point(m, back ? c->begin : c->end)->xyz;
   if (c->type == CURVE_LINE) {
     r.kind = SWEEP_LINE;
@@ -123,11 +124,12 @@ static Motion motion_of(const Sweeping *s)
     r.axis = vec3_cross(vec3_sub(a, r.centre), along);
     r.axis = vec3_scale(1 / vec3_length(r.axis), r.axis);
     r.angle = curve_angle(m, c);
-  } else if (filling_init(&r.filling, m, s->f) && r.filling.n == 4) {
+  } else if ((found = filling_init(&r.filling, m, s->f) && r.filling.n == 4)) {
     for (int k = 0; k < r.filling.n; k++)
       if (r.filling.curve[k]->tag == abs(s->f->extruded_curve)) r.source_side = k;
   }
-  return r;
+  *motion = r;
+  return found;
 }
 
 static Vec3 rotate(const Motion *r, Vec3 p, double angle)
@@ -161,9 +163,10 @@ static Vec3 carried(const Sweeping *s, const Motion *r, size_t i, double h)
 }
 
 // Row i of the grid: the swept curve's nodes, run so that a point on the axis comes first.
-static void fill(const Sweeping *s, FaceMesh *out)
+static bool fill(const Sweeping *s, FaceMesh *out)
 {
-  Motion motion = motion_of(s);
+  Motion motion;
+  if (!motion_of(s, &motion)) return false;
   bool flip = s->side[1] == NONE && s->side[0] != NONE, fan = flip || s->side[0] == NONE;
   size_t nu = s->nu, nv = s->nv;
   uint32_t *id = mem_alloc((nu + 1) * (nv + 1) * sizeof *id), base = (uint32_t)s->en->n;
@@ -186,6 +189,7 @@ static void fill(const Sweeping *s, FaceMesh *out)
   bool quads = s->f->layers.recombine || s->f->recombine || s->in->options->Mesh_RecombineAll;
   face_mesh_from_grid(out, nu, nv, id, flip ? ARRANGE_LEFT : ARRANGE_RIGHT, fan, s->mirror != flip, quads);
   free(id);
+  return true;
 }
 
 bool extruded_face(const Mesh2dInput *in, const Face *f, const EdgeNodes *en, FaceMesh *out, Diag *diag)
@@ -193,12 +197,10 @@ bool extruded_face(const Mesh2dInput *in, const Face *f, const EdgeNodes *en, Fa
   if (!f->extruded_curve || !f->layers.n) return false;
   Sweeping s = {.in = in, .f = f, .en = en};
   bool fits = set_up(&s) && (s.side[0] != NONE || s.side[1] != NONE) && !f->embedded_curves.len && !f->embedded_points.len;
-  if (fits) {
-    fill(&s, out);
-    if (f->planar && !face_mesh_valid(out, f, en)) {
-      face_mesh_free(out);
-      fits = false;
-    }
+  fits = fits && fill(&s, out);
+  if (fits && f->planar && !face_mesh_valid(out, f, en)) {
+    face_mesh_free(out);
+    fits = false;
   }
   if (!fits)
     diag_warning(diag, f->loc, "surface %d cannot be meshed in the layers of its extrusion (the curves around it do not have "

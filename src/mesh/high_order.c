@@ -211,21 +211,32 @@ static Vec3 edge_middle(const Elevator *v, uint32_t e)
   return vec3_scale(0.5, vec3_add(mesh_xyz(v->m, v->table.edge[e].b), mesh_xyz(v->m, v->table.edge[e].a)));
 }
 
-// A free edge takes the mean of the displacements of the edges it shares cells with, near and parallel ones counting more.
+// How much edge f of a cell has to say about edge e: more if near and parallel. On quadrangles only the opposite edge counts.
+static double influence(const Elevator *v, const Cell *c, int e, int f)
+{
+  if (c->corners == 4 && (e - f) % 2 != 0) return 0;
+  Vec3 d = edge_vector(v, c->edge[e]), g = edge_vector(v, c->edge[f]);
+  Vec3 to = vec3_sub(edge_middle(v, c->edge[f]), edge_middle(v, c->edge[e]));
+  double along = vec3_dot(d, g), cos2 = along * along / (vec3_dot(d, d) * vec3_dot(g, g));
+  return cos2 * cos2 / vec3_dot(to, to);
+}
+
+// A free edge takes the mean of the displacements of the edges it shares cells with.
 static void relax_edge(Elevator *v, const CellVec *cell, const Around *a, uint32_t e)
 {
-  Vec3 sum[HIGH_ORDER_MAX - 1] = {{0, 0, 0}}, d = edge_vector(v, e), mid = edge_middle(v, e);
+  Vec3 sum[HIGH_ORDER_MAX - 1] = {{0, 0, 0}};
   double weight = 0;
   for (uint32_t i = a->start[e]; i < a->start[e + 1]; i++) {
     const Cell *c = &cell->data[a->cells[i]];
+    int own = 0;
+    while (c->edge[own] != e) own++;
     for (int k = 0; k < c->corners; k++) {
       uint32_t f = c->edge[k];
-      if (f == e) continue;
-      Vec3 g = edge_vector(v, f), to = vec3_sub(edge_middle(v, f), mid);
-      double along = vec3_dot(d, g), w = along * along / (vec3_dot(d, d) * vec3_dot(g, g) * vec3_dot(to, to));
+      double w = k == own ? 0 : influence(v, c, own, k);
+      bool against = vec3_dot(edge_vector(v, e), edge_vector(v, f)) < 0;
       weight += w;
-      for (int j = 0; j < v->per_edge; j++) {
-        int from = along < 0 ? v->per_edge - 1 - j : j;
+      for (int j = 0; j < v->per_edge && w > 0; j++) {
+        int from = against ? v->per_edge - 1 - j : j;
         sum[j] = vec3_add(sum[j], vec3_scale(w, v->shift[(size_t)v->per_edge * f + (size_t)from]));
       }
     }
@@ -395,7 +406,7 @@ static void write_blocks(Elevator *v)
     const MeshBlock *b = &v->m->block[i];
     int dim = elem_dim(b->type);
     ElemType type = type_of(v->how, dim, elem_corners(b->type), v->how->incomplete);
-    uint32_t *to = v->e.mesh->block[mesh_add_block(v->e.mesh, b->entity, type, b->n)].node;
+    uint32_t *to = enriched_block(&v->e, b->entity, type, b->n);
     if (dim == 0)
       for (size_t k = 0; k < b->n; k++) to[k] = v->e.node[b->node[k]];
     else if (dim == 1)
@@ -455,7 +466,7 @@ static Mesh *corners_only(const Mesh *m)
   out = e.mesh;
   for (size_t i = 0; i < m->nblock; i++) {
     const MeshBlock *b = &straight.block[i];
-    uint32_t *to = out->block[mesh_add_block(out, b->entity, b->type, b->n)].node;
+    uint32_t *to = enriched_block(&e, b->entity, b->type, b->n);
     for (size_t k = 0; k < b->n * (size_t)elem_nodes(b->type); k++) to[k] = e.node[b->node[k]];
   }
   for (size_t r = 0; r < m->nperiodic; r++) {

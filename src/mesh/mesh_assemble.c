@@ -21,7 +21,8 @@ static void add_entities(Mesh *mesh, const Model *m)
   }
   for (size_t k = 0; k < model_curves(m); k++) {
     const Curve *c = model_curve_at(m, k);
-    MeshEntity *e = &mesh->entity[mesh_add_entity(mesh, 1, c->tag)];
+    uint32_t id = mesh_add_entity(mesh, 1, c->tag);
+    MeshEntity *e = &mesh->entity[id];
     set_box(e, curve_bounds(m, c));
     vec_push(&e->boundary, c->begin);
     vec_push(&e->boundary, -c->end);

@@ -49,10 +49,9 @@ static void place_nodes(Splitter *s, const Model *model)
 
 static uint32_t middle(const Splitter *s, uint32_t a, uint32_t b) { return enriched_at(&s->e, &s->table, 1, a, b, 0); }
 
-static uint32_t *add_block(const Splitter *s, const MeshBlock *from, ElemType type, size_t parts)
+static uint32_t *add_block(Splitter *s, const MeshBlock *from, ElemType type, size_t parts)
 {
-  Mesh *out = s->e.mesh;
-  return out->block[mesh_add_block(out, from->entity, type, parts * from->n)].node;
+  return enriched_block(&s->e, from->entity, type, parts * from->n);
 }
 
 static uint32_t *put3(uint32_t *to, uint32_t a, uint32_t b, uint32_t c)
@@ -72,7 +71,7 @@ static uint32_t *put4(uint32_t *to, uint32_t a, uint32_t b, uint32_t c, uint32_t
   return to + 4;
 }
 
-static void split_lines(const Splitter *s, const MeshBlock *from)
+static void split_lines(Splitter *s, const MeshBlock *from)
 {
   bool halve = s->how != SUBDIVIDE_BARYCENTRIC;
   uint32_t *to = add_block(s, from, ELEM_LINE2, halve ? 2 : 1);
@@ -103,7 +102,7 @@ static uint32_t *split_about_centres(const Splitter *s, const MeshBlock *from, c
   return to;
 }
 
-static void halve_triangles(const Splitter *s, const MeshBlock *from)
+static void halve_triangles(Splitter *s, const MeshBlock *from)
 {
   uint32_t *to = add_block(s, from, ELEM_TRI3, 4);
   for (size_t k = 0; k < from->n; k++) {
@@ -116,7 +115,7 @@ static void halve_triangles(const Splitter *s, const MeshBlock *from)
   }
 }
 
-static void split_entity(const Splitter *s, size_t first, size_t end)
+static void split_entity(Splitter *s, size_t first, size_t end)
 {
   // The triangles and quadrangles of one face come in up to two blocks, and may end in one of a single type.
   ElemType one = s->how == SUBDIVIDE_QUADS ? ELEM_QUAD4 : ELEM_TRI3;
@@ -131,7 +130,7 @@ static void split_entity(const Splitter *s, size_t first, size_t end)
   }
   size_t n = 0;
   for (size_t i = first; i < end; i++) n += s->m->block[i].n * (size_t)elem_corners(s->m->block[i].type);
-  uint32_t *to = s->e.mesh->block[mesh_add_block(s->e.mesh, b->entity, one, n)].node;
+  uint32_t *to = enriched_block(&s->e, b->entity, one, n);
   for (size_t i = first; i < end; i++) to = split_about_centres(s, &s->m->block[i], s->e.cell[i], to);
 }
 
