@@ -47,6 +47,8 @@ typedef struct {
   // Where to put the new vertex when the segment from u to v is split near its parameter `at` in (0,1) of the straight segment;
   // NULL puts it on the straight segment. Returns false where the segment must not be split.
   bool (*split)(void *ctx, VertId u, VertId v, double at, Vec2 *point);
+  // Told after each split which vertex it is; may be NULL. Vertices of splits are never renumbered.
+  void (*placed)(void *ctx, VertId u, VertId v, VertId w);
   void *split_ctx;
 
   // Called now and then with the share done; true cancels.

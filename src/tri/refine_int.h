@@ -66,8 +66,8 @@ typedef struct {
 double refine__size_at(Refiner *r, const double *p, TriId t, double *carried);
 // What the size callback says in the middle of triangle t.
 double refine__size_inside(const Refiner *r, TriId t);
-// Triangle that holds p, walking from t. NONE if a segment is in the way.
-TriId refine__walk(const Tri *m, const double *p, TriId t);
+// Triangle that holds p, walking from t. NONE if a segment is in the way, the half-edge *blocked.
+TriId refine__walk(const Tri *m, const double *p, TriId t, EdgeId *blocked);
 // Collect the constrained Delaunay cavity of p in triangle t. False if p is on a vertex or a segment, or too near to one
 // (seen under more than a right angle, while `clear`).
 bool refine__cavity(Refiner *r, const double *p, TriId t, bool clear);
@@ -79,6 +79,12 @@ bool refine__go_on(Refiner *r);
 // ---- strategies
 void refine__delaunay(Refiner *r);
 void refine__frontal(Refiner *r);
+
+// ---- tri_minangle.c
+// Bring every angle to `degrees` where the input lets it. The triangulation must be constrained Delaunay, with hints.
+void refine__min_angle(Refiner *r, double degrees, VertId given);
+// Split segments until no diametral circle holds a vertex.
+void refine__conform(Refiner *r);
 
 // ---- tri_renumber.c
 // Number triangles, and vertices from `first` on, along a Hilbert curve. Drops the hints. O(n).

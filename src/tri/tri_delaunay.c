@@ -66,7 +66,8 @@ static bool try_point(Queue *q, const double *p, TriId near)
 {
   Refiner *r = q->r;
   if (!isfinite(p[0]) || !isfinite(p[1])) return false;
-  TriId t = refine__walk(r->m, p, near);
+  EdgeId blocked;
+  TriId t = refine__walk(r->m, p, near, &blocked);
   if (t == NONE) return false;
   if (!refine__cavity(r, p, t, true)) return false;
   double carried, h = refine__size_at(r, p, t, &carried);

@@ -132,7 +132,8 @@ void refine__frontal(Refiner *r)
   while ((e = take(&f)) != NONE && refine__go_on(r)) {
     double p[2], carried;
     if (!ideal_point(&f, e, p)) continue;
-    TriId t = refine__walk(r->m, p, tri_of(e));
+    EdgeId blocked;
+    TriId t = refine__walk(r->m, p, tri_of(e), &blocked);
     if (t == NONE || !refine__cavity(r, p, t, true)) continue;
     double h = refine__size_at(r, p, t, &carried);
     refine__commit(r, h, carried);

@@ -88,7 +88,7 @@ double refine__size_inside(const Refiner *r, TriId t)
 
 // ---- the insertion engine -----------------------------------------------------------------------------------------
 
-TriId refine__walk(const Tri *m, const double *p, TriId t)
+TriId refine__walk(const Tri *m, const double *p, TriId t, EdgeId *blocked)
 {
   // Every edge crossed is locally Delaunay, so the power of p to the triangles' circles decreases: the walk ends.
   EdgeId from = NONE;
@@ -102,7 +102,10 @@ TriId refine__walk(const Tri *m, const double *p, TriId t)
       }
     }
     if (out == NONE) return t;
-    if (tri_is_segment(m, out)) return NONE;
+    if (tri_is_segment(m, out)) {
+      *blocked = out;
+      return NONE;
+    }
     from = m->twin[out];
     t = tri_of(from);
   }
@@ -219,6 +222,7 @@ TriRefineStats tri_refine(Tri *m, const TriRefineParams *p)
   if (m->dim != 2) return stats;
   size_t cap = p->max_triangles ? p->max_triangles / 2 : TRI_MAX_VERTICES;
   Refiner r = {.m = m, .p = p, .stats = &stats, .max_vertices = MIN(cap, (size_t)TRI_MAX_VERTICES)};
+  if (p->conforming) refine__conform(&r);
   initial_sizes(&r);
   VertId given = m->nv;
   free(m->hint); // insertion need not keep it up
@@ -236,6 +240,10 @@ TriRefineStats tri_refine(Tri *m, const TriRefineParams *p)
   if (p->algorithm != REFINE_EMPTY && stats.outcome != REFINE_CANCELLED) {
     refine__smooth(&r, p->smoothing);
     refine__optimize(&r, p->optimize);
+  }
+  if (p->min_angle > 0 && stats.outcome == REFINE_DONE) {
+    tri_legalize_all(m);
+    refine__min_angle(&r, p->min_angle, given);
   }
   m->last = 0;
   free(r.size), free(r.carried), free(r.fixed), free(r.awake), free(r.excess);

@@ -276,6 +276,132 @@ static void test_limits_and_cancellation(void **state)
   }
 }
 
+// ---- guaranteed angles ----
+
+// A star-shaped polygon with spikes and notches; every third one has a copy of itself, shrunk a little, as a hole.
+static void random_polygon(Domain *d, Rng *rng, bool gap)
+{
+  Vec2 p[24];
+  size_t n = 5 + rng_below(rng, 19);
+  for (size_t i = 0; i < n; i++) {
+    double a = 2 * M_PI * ((double)i + 0.8 * rng_double(rng)) / (double)n, r = 0.03 + rng_double(rng);
+    p[i] = (Vec2){r * cos(a), r * sin(a)};
+  }
+  *d = (Domain){.slits = SIZE_MAX};
+  add_loop(d, p, n, 1e9);
+  if (!gap) return;
+  for (size_t i = 0; i < n; i++) p[i] = vec2_scale(0.97, p[i]);
+  add_loop(d, p, n, 1e9);
+}
+
+static double angle_between(Vec2 a, Vec2 o, Vec2 b)
+{
+  Vec2 u = vec2_sub(a, o), v = vec2_sub(b, o);
+  return atan2(fabs(vec2_cross(u, v)), vec2_dot(u, v)) * 180 / M_PI;
+}
+
+static double distance_to(Vec2 p, Vec2 a, Vec2 b)
+{
+  Vec2 d = vec2_sub(b, a);
+  return fabs(vec2_cross(d, vec2_sub(p, a))) / vec2_length(d);
+}
+
+// Is the triangle between the two sides of an input angle under 60 degrees: two of its vertices on them, or one at the tip?
+static bool at_sharp_angle(const Domain *d, const Vec2 *t)
+{
+  Vec2 *p = (Vec2 *)(void *)d->xy.data;
+  for (size_t i = 0; i < d->ends.len; i += 2) { // segments follow each other around each loop
+    size_t j = 0;
+    while (d->ends.data[j + 1] != d->ends.data[i]) j += 2;
+    Vec2 o = p[d->ends.data[i]], a = p[d->ends.data[j]], b = p[d->ends.data[i + 1]];
+    if (angle_between(a, o, b) >= 60.001) continue;
+    int on_a = 0, on_b = 0;
+    for (int k = 0; k < 3; k++) on_a += distance_to(t[k], o, a) < 1e-9, on_b += distance_to(t[k], o, b) < 1e-9;
+    if (on_a && on_b) return true;
+  }
+  return false;
+}
+
+static void test_angles_are_guaranteed(void **state)
+{
+  (void)state;
+  Rng rng = {11};
+  for (int k = 0; k < 500; k++) {
+    Domain d;
+    random_polygon(&d, &rng, k % 3 == 2);
+    Tri m;
+    empty_mesh(&d, &m);
+    double area = area_inside(&m);
+    TriRefineParams p = tri_refine_defaults();
+    p.algorithm = REFINE_EMPTY, p.min_angle = k % 2 ? 30 : 25;
+    TriRefineStats s = tri_refine(&m, &p);
+    assert_int_equal(s.outcome, REFINE_DONE);
+    assert_int_equal(tri_check(&m, TRI_CHECK_ALL, NULL), 0);
+    assert_true(fabs(area_inside(&m) - area) <= 1e-9 * area);
+    for (TriId t = 0; t < m.nt; t++) {
+      if (!tri_is_inside(&m, t)) continue;
+      Vec2 v[3];
+      for (int i = 0; i < 3; i++) v[i] = (Vec2){m.xy[2 * m.vert[3 * t + (uint32_t)i]], m.xy[2 * m.vert[3 * t + (uint32_t)i] + 1]};
+      double a[3];
+      quality_angles(shape_plane(v[0], v[1], v[2]), a);
+      if (fmin(a[0], fmin(a[1], a[2])) < p.min_angle - 1e-9 && !at_sharp_angle(&d, v))
+        fail_msg("polygon %d: angle %g at (%g, %g)", k, fmin(a[0], fmin(a[1], a[2])), v[0].x, v[0].y);
+    }
+    tri_free(&m);
+    vec_free(&d.xy), vec_free(&d.ends);
+  }
+}
+
+static bool split_outward(void *ctx, VertId u, VertId v, double at, Vec2 *point)
+{
+  (void)u, (void)v, (void)at;
+  double r = hypot(point->x - 0.5, point->y - 0.5);
+  *point = (Vec2){0.5 + (point->x - 0.5) * 0.5 / r, 0.5 + (point->y - 0.5) * 0.5 / r};
+  ++*(int *)ctx;
+  return true;
+}
+
+static void test_splits_follow_the_curve(void **state)
+{
+  (void)state;
+  Domain d;
+  make_domain(&d, DISC, 0.3);
+  add_loop(&d, (Vec2[]){{0.5, 0.02}, {0.52, 0.5}, {0.5, 0.5}}, 3, 9);
+  Tri m;
+  empty_mesh(&d, &m);
+  int calls = 0;
+  TriRefineParams p = tri_refine_defaults();
+  p.min_angle = 28, p.split = split_outward, p.split_ctx = &calls;
+  TriRefineStats s = tri_refine(&m, &p);
+  assert_true(s.split > 0 && calls >= (int)s.split);
+  assert_int_equal(tri_check(&m, TRI_CHECK_LINKS | TRI_CHECK_ORIENT | TRI_CHECK_EULER, NULL), 0);
+  tri_free(&m);
+  vec_free(&d.xy), vec_free(&d.ends);
+}
+
+static void test_conforming_segments_have_empty_circles(void **state)
+{
+  (void)state;
+  Rng rng = {5};
+  for (int k = 0; k < 50; k++) {
+    Domain d;
+    random_polygon(&d, &rng, false);
+    Tri m;
+    empty_mesh(&d, &m);
+    TriRefineParams p = tri_refine_defaults();
+    p.algorithm = REFINE_EMPTY, p.conforming = true, p.optimize = 0;
+    tri_refine(&m, &p);
+    size_t left = 0;
+    for (EdgeId e = 0; e < 3 * m.nt; e++)
+      if (tri_is_segment(&m, e) && tri_is_inside(&m, tri_of(e)))
+        left += in_diametral_circle(tri_xy(&m, tri_org(&m, e)), tri_xy(&m, tri_dest(&m, e)), tri_xy(&m, tri_apex(&m, e))) > 0;
+    assert_int_equal(left, 0);
+    assert_int_equal(tri_check(&m, TRI_CHECK_ALL, NULL), 0);
+    tri_free(&m);
+    vec_free(&d.xy), vec_free(&d.ends);
+  }
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -285,6 +411,9 @@ int main(void)
       cmocka_unit_test(test_a_small_dip_of_the_field_is_not_missed),
       cmocka_unit_test(test_equal_runs_give_equal_arrays),
       cmocka_unit_test(test_limits_and_cancellation),
+      cmocka_unit_test(test_angles_are_guaranteed),
+      cmocka_unit_test(test_splits_follow_the_curve),
+      cmocka_unit_test(test_conforming_segments_have_empty_circles),
   };
   return unit_run(tests);
 }
