@@ -50,6 +50,7 @@ uint32_t edge_nodes_at(const EdgeNodes *en, const Model *m, const Mesh1d *curves
 void face_mesh_free(FaceMesh *f)
 {
   free(f->own);
+  free(f->size);
   free(f->tri);
   free(f->quad);
   *f = (FaceMesh){0};

@@ -22,6 +22,7 @@ typedef struct {
   size_t nown;
   uint32_t *tri, *quad; // 3 * ntri, 4 * nquad, counter-clockwise about the face's normal
   size_t ntri, nquad;
+  double *size;         // wanted edge length at each own node; NULL where there was no size field
   bool failed;          // an error was reported
 } FaceMesh;
 

@@ -43,7 +43,7 @@ TriRefineParams mesh2d_refine_params(const Options *o, const Face *f, SizeInPlan
 }
 
 // Vertices and triangles inside the face to node ids.
-static void extract(const Tri *t, const FaceGraph *g, const Driver *d, const Face *f, FaceMesh *out)
+static void extract(const Tri *t, const FaceGraph *g, const Driver *d, const Face *f, const double *size, FaceMesh *out)
 {
   uint32_t nlocal = (uint32_t)g->node.len, base = (uint32_t)d->nodes->n;
   uint32_t *id = mem_alloc(t->nv * sizeof *id);
@@ -52,6 +52,7 @@ static void extract(const Tri *t, const FaceGraph *g, const Driver *d, const Fac
   for (TriId k = 0; k < t->nt; k++) ntri += tri_is_inside(t, k);
   out->tri = mem_alloc(3 * ntri * sizeof *out->tri);
   out->own = mem_alloc((t->nv - nlocal) * sizeof *out->own);
+  out->size = mem_alloc((t->nv - nlocal) * sizeof *out->size);
   for (TriId k = 0; k < t->nt; k++)
     if (tri_is_inside(t, k))
       for (EdgeId e = 3 * k; e < 3 * k + 3; e++)
@@ -59,6 +60,7 @@ static void extract(const Tri *t, const FaceGraph *g, const Driver *d, const Fac
   for (uint32_t v = nlocal; v < t->nv; v++) {
     if (id[v] == NONE) continue;
     id[v] = base + (uint32_t)out->nown;
+    out->size[out->nown] = size[v];
     out->own[out->nown++] = face_from_plane(f, (Vec2){tri_xy(t, v)[0], tri_xy(t, v)[1]});
   }
   for (TriId k = 0; k < t->nt; k++) {
@@ -78,6 +80,8 @@ static void mesh_plane_face(const Driver *d, const Face *f, SizeEval *eval, Face
   if (face_graph_mesh(&g, d->in->model, f, &t, diag)) {
     SizeInPlane here = {eval, f};
     TriRefineParams p = mesh2d_refine_params(d->in->options, f, &here);
+    double *sizes = NULL;
+    p.sizes_out = &sizes;
     TriRefineStats s = tri_refine(&t, &p);
     size_eval_report(eval, diag);
     if (s.outcome == REFINE_LIMIT) {
@@ -85,8 +89,9 @@ static void mesh_plane_face(const Driver *d, const Face *f, SizeEval *eval, Face
                  p.max_triangles);
       out->failed = true;
     } else {
-      extract(&t, &g, d, f, out);
+      extract(&t, &g, d, f, sizes, out);
     }
+    free(sizes);
   } else {
     out->failed = true;
   }

@@ -35,4 +35,7 @@ TriRefineParams mesh2d_refine_params(const Options *o, const Face *f, SizeInPlan
 Mesh *mesh_assemble(const Model *m, const Mesh1d *curves, const EdgeNodes *en, const FaceMesh *face,
                     bool keep_orientation);
 
+// Wanted edge length at each node of that mesh, for the efficiency index; NAN where none is known. The caller frees.
+double *mesh_assemble_sizes(const Model *m, const Mesh1d *curves, const EdgeNodes *en, const FaceMesh *face);
+
 #endif

@@ -126,3 +126,21 @@ Mesh *mesh_assemble(const Model *m, const Mesh1d *curves, const EdgeNodes *en, c
   if (curves && face) add_faces(mesh, m, en, face, keep_orientation);
   return mesh;
 }
+
+double *mesh_assemble_sizes(const Model *m, const Mesh1d *curves, const EdgeNodes *en, const FaceMesh *face)
+{
+  size_t n = en->n, at = en->n;
+  for (size_t k = 0; k < model_faces(m); k++) n += face[k].nown;
+  double *h = mem_alloc(n * sizeof *h);
+  for (size_t i = 0; i < n; i++) h[i] = NAN;
+  for (size_t k = 0; k < model_curves(m); k++)
+    for (size_t i = 0; i < curves->curve[k].n; i++) {
+      double *to = &h[edge_nodes_at(en, m, curves, k, i)], size = curves->curve[k].h[i];
+      if (!(*to <= size)) *to = size; // the smallest at points
+    }
+  for (size_t k = 0; k < model_faces(m); k++) {
+    if (face[k].size) memcpy(&h[at], face[k].size, face[k].nown * sizeof *h);
+    at += face[k].nown;
+  }
+  return h;
+}

@@ -51,6 +51,9 @@ typedef struct {
   void (*placed)(void *ctx, VertId u, VertId v, VertId w);
   void *split_ctx;
 
+  // Gets the wanted edge length at each vertex, boundary sizes included, in an array that the caller frees; NULL: not wanted.
+  double **sizes_out;
+
   // Called now and then with the share done; true cancels.
   bool (*cancel)(void *ctx, double done);
   void *cancel_ctx;

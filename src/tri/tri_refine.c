@@ -246,7 +246,11 @@ TriRefineStats tri_refine(Tri *m, const TriRefineParams *p)
     refine__min_angle(&r, p->min_angle, given);
   }
   m->last = 0;
-  free(r.size), free(r.carried), free(r.fixed), free(r.awake), free(r.excess);
+  if (p->sizes_out)
+    *p->sizes_out = r.size;
+  else
+    free(r.size);
+  free(r.carried), free(r.fixed), free(r.awake), free(r.excess);
   vec_free(&r.rim), vec_free(&r.dead), vec_free(&r.stack);
   return stats;
 }
