@@ -212,10 +212,11 @@ static void range_list(Script *s, const Node *n, DoubleVec *out)
     return;
   }
   if (!script__charge(s, (uint64_t)count / 8, n->loc)) return;
-  if (step > 0)
-    for (double x = a; x <= b && out->len < LIMIT_LIST; x += step) vec_push(out, x);
-  else
-    for (double x = a; x >= b && out->len < LIMIT_LIST; x += step) vec_push(out, x);
+  size_t most = out->len + (size_t)count + 1; // a sum may end one sooner or later than the quotient says
+  for (double x = a; (step > 0 ? x <= b : x >= b) && out->len < most; x += step) {
+    vec_push(out, x);
+    if (x + step == x) break;
+  }
 }
 
 static void whole_list(Script *s, const Node *n, DoubleVec *out)

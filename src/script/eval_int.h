@@ -55,6 +55,7 @@ struct Script {
   size_t spare_used;
   ShapeVec shape_pool;
   Rng rng;
+  Map reported;                // errors by place
   uint64_t work;               // see LIMIT_WORK
   size_t held;                 // bytes in variables, see LIMIT_MEMORY
   int depth;                   // loops and macro calls open

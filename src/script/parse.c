@@ -209,15 +209,30 @@ static bool is_block_word(const Token *t)
   }
 }
 
-// Go on after the next ';', or at a word that begins or ends a block if it is the first of its line.
-static void recover(Parser *p)
+// Does a '}' follow on the line of the next token?
+static bool brace_follows(const Parser *p)
+{
+  Lexer ahead = p->lexer;
+  for (Token t = p->tok; t.kind != TOK_END && t.loc.line == p->tok.loc.line; t = lexer_next(&ahead))
+    if (t.kind == '}') return true;
+  return false;
+}
+
+// Go on after the next ';', but past a list of shapes in braces, of which `open` are open; or at a word that begins or ends
+// a block if it is the first of its line.
+static void recover(Parser *p, int open)
 {
   uint32_t line = p->tok.loc.line;
-  while (p->tok.kind != TOK_END && !parse__accept(p, ';')) {
-    if (is_block_word(&p->tok) && p->tok.loc.line != line) return;
-    line = p->tok.loc.line;
-    parse__advance(p);
+  while (p->tok.kind != TOK_END) {
+    if (is_block_word(&p->tok) && p->tok.loc.line != line) break;
+    Token t = parse__advance(p);
+    line = t.loc.line;
+    if (t.kind == '{') open++;
+    bool closed = t.kind == '}' && open > 0 && --open == 0;
+    if (closed && p->tok.loc.line != line && !parse__at(p, ';')) break;
+    if (t.kind == ';' && (!open || !(parse__at(p, '}') || (p->tok.loc.line == line && brace_follows(p))))) break;
   }
+  p->stray_braces = open;
 }
 
 // Parse a statement; after a syntax error recover and return NULL with p->error set.
@@ -232,13 +247,16 @@ static Node *guarded_statement(Parser *p)
   p->failed_word = p->tok.kind == TOK_WORD ? p->tok.word : NONE;
   if (setjmp(here) == 0) {
     n = parse__statement(p);
+  } else if (p->fatal && outer) {
+    longjmp(*outer, 1);
   } else {
     n = NULL;
+    int open = MAX(0, p->nesting - nesting);
     p->stack.len = base;
     p->nesting = nesting;
     p->blocks = blocks;
     p->in_macro = in_macro;
-    recover(p);
+    recover(p, open);
   }
   p->on_error = outer;
   return n;
@@ -264,7 +282,8 @@ static Node *parse_block(Parser *p)
 {
   size_t base = p->stack.len;
   SrcLoc loc = p->tok.loc;
-  if (++p->blocks + p->nesting > LIMIT_NESTING)
+  p->fatal = ++p->blocks + p->nesting > LIMIT_NESTING;
+  if (p->fatal)
     parse__fail(p, loc, "blocks nested too deeply (the limit is %d)", LIMIT_NESTING);
   while (!parse__ends_block(p)) {
     Node *n = guarded_statement(p);

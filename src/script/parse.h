@@ -21,6 +21,8 @@ typedef struct {
   int nesting, blocks;    // braces open; For, If and Macro open
   bool in_macro;
   bool has_macro;         // a Macro was met: the tree must be kept
+  bool fatal;             // nested too deeply: stop parsing this text
+  int stray_braces;       // after a syntax error: '}' that may still come
   bool merge_marks;       // <<<<<<< was met and reported
   uint32_t failed_word;   // after a syntax error: the word the statement began with, or NONE
   jmp_buf *on_error;

@@ -654,6 +654,13 @@ static Node *parse_assignment(Parser *p)
   case NODE_OPTION: break;
   default: parse__fail(p, first.loc, "this cannot be assigned to");
   }
+  if (target->kind == NODE_INDEX && value && node_is_list(value)) { // Pont(1) = {0, 0, 0};
+    char word[64];
+    snprintf(word, sizeof word, "%.*s", (int)MIN(first.len, sizeof word - 1), first.start);
+    const char *near = function_nearest(word);
+    if (near) parse__fail(p, first.loc, "unknown statement '%s'; did you mean '%s'?", word, near);
+    parse__fail(p, value->loc, "one element of a list can only be assigned a number");
+  }
   parse__semicolon(p);
   Node *n = parse__node2(p, NODE_ASSIGN, first.loc, target, value);
   n->op = (uint16_t)op.kind;
@@ -866,6 +873,12 @@ Node *parse__statement(Parser *p)
     parse__superfluous_semicolon(p);
     return parse__node(p, NODE_BLOCK, t.loc, 0);
   }
+  if (t.kind == '}' && p->stray_braces > 0) {
+    p->stray_braces--;
+    parse__advance(p);
+    return parse__node(p, NODE_BLOCK, t.loc, 0);
+  }
+  p->stray_braces = 0;
   if (t.kind == TOK_SHIFT_LEFT || t.kind == TOK_SHIFT_RIGHT || t.kind == TOK_EQ) return parse_merge_mark(p);
   if (t.kind != TOK_WORD) parse__expected(p, "a statement");
   if (t.word >= KW_COUNT) return parse_assignment(p);

@@ -241,7 +241,7 @@ static void run_text(Run *r)
     Node *n;
     SrcLoc at = r->p.tok.loc;
     NextKind next = parse_next(&r->p, &r->tree, &n);
-    if (diag_full(s->diag)) break;
+    if (diag_full(s->diag) || r->p.fatal) break;
     switch (next) {
     case NEXT_STATEMENT:
       if (n)
@@ -272,7 +272,7 @@ static void run_text(Run *r)
     }
     renew_tree(r);
   }
-  if (diag_full(s->diag)) s->stopped = true;
+  if (diag_full(s->diag) || r->p.fatal) s->stopped = true;
 }
 
 // Run a text that belongs to the script from now on.
@@ -349,6 +349,7 @@ void script_free(Script *s)
   vec_free(&s->sources);
   vec_free(&s->spare);
   words_free(&s->words);
+  map_free(&s->reported);
   arena_free(&s->temp);
   free(s);
 }

@@ -112,23 +112,16 @@ static void read_expectations(Case *c, const char *text)
     memcpy(copy, p, len);
     copy[len] = 0;
     if (len && copy[len - 1] == '\r') copy[len - 1] = 0;
-    for (size_t i = 0; i < ARRAY_LEN(marks); i++) {
-      char *hit = strstr(copy, marks[i].mark);
-      if (!hit) continue;
-      Expect e = {marks[i].kind, line, mem_strdup(hit + strlen(marks[i].mark)), false};
-      char *again = strstr(e.text, " // expect"); // two on a line
-      if (again) {
-        *again = 0;
+    for (char *hit = strstr(copy, "// expect"); hit;) { // several on a line are possible
+      char *next = strstr(hit + 1, " // expect");
+      if (next) *next++ = 0;
+      for (size_t i = 0; i < ARRAY_LEN(marks); i++) {
+        size_t n = strlen(marks[i].mark);
+        if (strncmp(hit, marks[i].mark, n) != 0) continue;
+        Expect e = {marks[i].kind, line, mem_strdup(hit + n), false};
         vec_push(&c->expect, e);
-        for (size_t k = 0; k < ARRAY_LEN(marks); k++)
-          if (!strncmp(again + 1, marks[k].mark, strlen(marks[k].mark))) {
-            Expect f = {marks[k].kind, line, mem_strdup(again + 1 + strlen(marks[k].mark)), false};
-            vec_push(&c->expect, f);
-          }
-        break;
       }
-      vec_push(&c->expect, e);
-      break;
+      hit = next;
     }
     free(copy);
     p += len + (eol != NULL);

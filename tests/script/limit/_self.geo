@@ -1,0 +1,1 @@
+Include "_self.geo";
