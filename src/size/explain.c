@@ -1,0 +1,119 @@
+// explain.c - which rule fixed the size at a place, and messages about bad sizes
+// SPDX-License-Identifier: MIT
+#include "base/base.h"
+
+#include <math.h>
+
+#include "size/size_int.h"
+
+static const char *node_type(const Node *n)
+{
+  return n->field ? field__type(n->field->kind)->name : "background view";
+}
+
+static void name_node(const Node *n, Str *out)
+{
+  if (!n->field) str_printf(out, "the background view");
+  else str_printf(out, "Field[%d] (%s, line %u)", n->field->id, node_type(n), n->field->loc.line);
+}
+
+// The node that the value of node k at p really comes from: through Min, Max, Restrict, Octree and Threshold's own.
+static uint32_t source_of(SizeEval *e, uint32_t k, Where w, Vec3 p)
+{
+  const Node *n = &e->s->node[k];
+  bool picks = n->ops == &ops_min || n->ops == &ops_max || n->ops == &ops_restrict || n->ops == &ops_same;
+  if (!picks) return k;
+  double v = size__at(e, k, w, p);
+  for (uint32_t i = 0; i < n->nin; i++) {
+    double x = size__at(e, n->in[i], w, p);
+    if (x == v || (x != x && v != v)) return source_of(e, n->in[i], w, p);
+  }
+  return k;
+}
+
+bool size_eval_report(SizeEval *e, Diag *diag)
+{
+  if (!e->fault.set) return false;
+  const SizeField *s = e->s;
+  double v = e->fault.value;
+  Vec3 p = e->fault.at;
+  e->fault.set = false;
+  static const char *const what[] = {"point", "curve", "surface"};
+  Str where = {0};
+  str_printf(&where, "at (%g, %g, %g)", p.x, p.y, p.z);
+  if (e->fault.where.dim >= 0 && e->fault.where.tag > 0)
+    str_printf(&where, " on %s %d", what[e->fault.where.dim], e->fault.where.tag);
+  const Node *n = s->root == NONE ? NULL : &s->node[source_of(e, s->root, e->fault.where, p)];
+  if (n && n->field) {
+    const Field *f = n->field;
+    SrcLoc loc = f->loc;
+    const char *option = "";
+    if (f->kind == FIELD_MATHEVAL) loc = field__value(f, "F")->loc, option = " F";
+    if (v != v) diag_error(diag, loc, "field %d (%s)%s is not a number %s", f->id, node_type(n), option, str_text(&where));
+    else diag_error(diag, loc, "field %d (%s)%s gives the size %g %s; sizes must be positive (Mesh.MeshSizeMin can bound them)",
+                    f->id, node_type(n), option, v, str_text(&where));
+  } else {
+    diag_error(diag, NO_LOC, "the size %g %s is not positive", v, str_text(&where));
+  }
+  str_free(&where);
+  return true;
+}
+
+// ---- explanations ------------------------------------------------------------------------------------------------------
+
+static void explain_node(SizeEval *e, uint32_t k, Where w, Vec3 p, int depth, bool decides, Str *out)
+{
+  const Node *n = &e->s->node[k];
+  double v = size__at(e, k, w, p);
+  str_printf(out, "%*s", 2 * depth, "");
+  name_node(n, out);
+  str_printf(out, " = ");
+  if (v >= NO_SIZE) str_printf(out, "no size");
+  else str_printf(out, "%.6g", v);
+  if (n->thresholds && n->thresholds == n->users && v >= n->far) str_printf(out, " or more");
+  if (n->field && n->field->kind == FIELD_MATHEVAL) str_printf(out, "  [%s]", field__value(n->field, "F")->text);
+  str_printf(out, "%s\n", decides ? "  <- decides" : "");
+  if (depth > 40) return;
+  bool picks = n->ops == &ops_min || n->ops == &ops_max, found = false;
+  for (uint32_t i = 0; i < n->nin; i++) {
+    bool this = decides && !found && (!picks || size__at(e, n->in[i], w, p) == v);
+    found = found || (picks && this);
+    explain_node(e, n->in[i], w, p, depth + 1, this, out);
+  }
+}
+
+static const char *bound_in_force(const SizeField *s, double wish)
+{
+  if (wish < s->lo) return "Mesh.MeshSizeMin";
+  return wish > s->hi ? "Mesh.MeshSizeMax" : NULL;
+}
+
+void size_explain(SizeEval *e, const Face *f, Vec3 p, Str *out)
+{
+  const SizeField *s = e->s;
+  Where w = {f ? 2 : -1, f ? f->tag : 0};
+  double field = s->root == NONE ? NO_SIZE : size__at(e, s->root, w, p), wish = fmin(s->diagonal, field);
+  const char *bound = bound_in_force(s, wish);
+  str_printf(out, "size %.6g at (%g, %g)", fmin(fmax(wish, s->lo), s->hi) * s->factor, p.x, p.y);
+  if (f) str_printf(out, " in surface %d", f->tag);
+  str_printf(out, "\n");
+  str_printf(out, "  diagonal of the model = %.6g%s\n", s->diagonal, !bound && !(field < s->diagonal) ? "  <- decides" : "");
+  if (s->root != NONE) explain_node(e, s->root, w, p, 1, !bound && field < s->diagonal, out);
+  else str_printf(out, "  no background field\n");
+  if (s->lo > 0) str_printf(out, "  Mesh.MeshSizeMin = %.6g%s\n", s->lo, wish < s->lo ? "  <- decides" : "");
+  if (s->hi < LC_UNSET) str_printf(out, "  Mesh.MeshSizeMax = %.6g%s\n", s->hi, wish > s->hi ? "  <- decides" : "");
+  if (s->factor != 1) str_printf(out, "  times Mesh.MeshSizeFactor = %.6g\n", s->factor);
+}
+
+void size_responsible(SizeEval *e, const Face *f, Vec3 p, Str *out)
+{
+  const SizeField *s = e->s;
+  Where w = {f ? 2 : -1, f ? f->tag : 0};
+  double field = s->root == NONE ? NO_SIZE : size__at(e, s->root, w, p), wish = fmin(s->diagonal, field);
+  const char *bound = bound_in_force(s, wish);
+  if (bound) str_printf(out, "%s", bound);
+  else if (field < s->diagonal) name_node(&s->node[source_of(e, s->root, w, p)], out);
+  else if (s->from_points) str_printf(out, "the sizes of points");
+  else str_printf(out, "the model's diagonal");
+  if (s->factor < 1) str_printf(out, " times Mesh.MeshSizeFactor = %g", s->factor);
+}
