@@ -1,0 +1,461 @@
+// pipeline.c - from an input file to its outputs: script, model, curves, faces, audit, files, report
+// SPDX-License-Identifier: MIT
+#include "base/base.h"
+
+#include "cli/pipeline.h"
+
+#include <errno.h>
+#include <sys/stat.h>
+
+#include "base/file.h"
+#include "base/str.h"
+#include "base/thread.h"
+#include "cli/report.h"
+#include "mesh/mesh2d.h"
+#include "mesh/mesh2d_joint.h"
+#include "mesh/mesh_check.h"
+#include "model/unroll.h"
+#include "out/formats.h"
+
+// ---- meshing ----------------------------------------------------------------------------------------------------------
+static void drop_mesh(Job *j)
+{
+  mesh_free(j->mesh);
+  j->mesh = NULL;
+  free(j->node_size);
+  j->node_size = NULL;
+  mesh1d_free(j->curves);
+  j->curves = NULL;
+  j->mesh_dim = -1;
+}
+
+static void mesh_faces(Job *j, const SizeField *size, EdgeNodes *en)
+{
+  size_t n = model_faces(j->model);
+  FaceMesh *face = mem_zalloc(n * sizeof *face);
+  Mesh2dInput in = {.model = j->model, .options = &j->options, .size = size, .curves = j->curves, .diag = j->diag,
+                    .threads = j->threads};
+  bool joint = j->options.Mesh_MinimumAngle > 0 || j->options.Mesh_ConformingDelaunay;
+  stage_begin(&j->stats, "mesh 2D");
+  j->failed_faces = joint ? mesh2d_joint_run(&in, j->curves, en, face) : mesh2d_run(&in, en, face);
+  stage_end(&j->stats);
+  if (!j->failed_faces || j->cli->keep_going) {
+    stage_begin(&j->stats, "assemble");
+    j->mesh = mesh_assemble(j->model, j->curves, en, face, j->options.Mesh_KeepOrientation);
+    j->node_size = mesh_assemble_sizes(j->model, j->curves, en, face);
+    stage_end(&j->stats);
+  }
+  for (size_t k = 0; k < n; k++) face_mesh_free(&face[k]);
+  free(face);
+}
+
+// Mesh up to a dimension; false after an error that leaves no mesh.
+static bool generate(Job *j, int dim)
+{
+  drop_mesh(j);
+  stage_begin(&j->stats, "model");
+  bool good = model_prepare(j->model, j->options.Geometry_Tolerance, j->diag);
+  stage_end(&j->stats);
+  if (!good) return false;
+  if (dim == 3) log_info(j->diag, "volumes are not meshed: meshing points, curves and surfaces only");
+  SizeField *size = size_new(j->model, &j->options, j->fields, j->diag);
+  if (!size) return false;
+  stage_begin(&j->stats, "mesh 1D");
+  j->curves = mesh1d_new(j->model, &j->options, size, j->diag);
+  stage_end(&j->stats);
+  if (j->curves) {
+    EdgeNodes en;
+    edge_nodes_init(&en, j->model, j->curves);
+    if (dim >= 2)
+      mesh_faces(j, size, &en);
+    else
+      j->mesh = mesh_assemble(j->model, dim >= 1 ? j->curves : NULL, &en, NULL, false);
+    edge_nodes_free(&en);
+  }
+  size_free(size);
+  if (j->mesh) j->mesh_dim = MIN(dim, 2);
+  return j->mesh != NULL;
+}
+
+// ---- writing ------------------------------------------------------------------------------------------------------------
+static OutOptions out_options(const Options *o)
+{
+  return (OutOptions){.binary = o->Mesh_Binary,
+                      .save_all = o->Mesh_SaveAll,
+                      .save_parametric = o->Mesh_SaveParametric,
+                      .scaling = o->Mesh_ScalingFactor,
+                      .first_node = (uint64_t)o->Mesh_FirstNodeTag,
+                      .first_element = (uint64_t)o->Mesh_FirstElementTag,
+                      .element_tag = o->Mesh_SaveElementTagType,
+                      .groups_of_nodes = o->Mesh_SaveGroupsOfNodes != 0,
+                      .no_groups_of_elements = o->Mesh_SaveGroupsOfElements == 0,
+                      .stl_solids = o->Mesh_StlOneSolidPerSurface,
+                      .threads = o->General_NumThreads};
+}
+
+// The format that options ask for where the command line is silent: Mesh.Format, and the version of .msh.
+static const char *format_for(const Job *j, const char *path)
+{
+  static const struct { int number; const char *name; } numbered[] = {
+      {1, "msh"}, {2, "unv"}, {16, "vtk"}, {27, "stl"}, {30, "mesh"}, {39, "inp"}, {40, "ply"}, {42, "su2"}, {53, "off"}, {57, "obj"}};
+  const char *name = j->cli->format;
+  if (name && strcmp(name, "auto") == 0) name = NULL;
+  for (size_t i = 0; !name && i < ARRAY_LEN(numbered); i++)
+    if (numbered[i].number == j->options.Mesh_Format) name = numbered[i].name;
+  const char *dot = strrchr(path, '.');
+  bool msh = name ? strcmp(name, "msh") == 0 : dot && strcmp(dot, ".msh") == 0;
+  if (msh) name = j->options.Mesh_MshFileVersion >= 3 ? "msh4" : "msh2";
+  return name;
+}
+
+static ExitCode write_mesh(Job *j, const char *path)
+{
+  OutOptions o = out_options(&j->options);
+  return out_write(j->mesh, path, format_for(j, path), &o, j->diag);
+}
+
+static const char *base_name(const char *path)
+{
+  const char *slash = strrchr(path, '/');
+  return slash ? slash + 1 : path;
+}
+
+// Input without its extension, with another one.
+static char *with_extension(const char *path, const char *extension)
+{
+  const char *base = base_name(path), *dot = strrchr(base, '.');
+  size_t stem = dot && dot != base ? (size_t)(dot - path) : strlen(path);
+  Str s = {0};
+  str_append_n(&s, path, stem);
+  str_printf(&s, ".%s", extension);
+  return s.data;
+}
+
+static const char *default_extension(const Job *j)
+{
+  const char *f = format_for(j, ".msh");
+  return strncmp(f, "msh", 3) == 0 ? "msh" : f;
+}
+
+static ExitCode write_all(Job *j)
+{
+  ExitCode status = EXIT_GOOD;
+  stage_begin(&j->stats, "write");
+  if (!j->cli->outputs.len) {
+    char *path = with_extension(strcmp(j->input, "-") == 0 ? "stdin" : j->input, default_extension(j));
+    status = write_mesh(j, path);
+    free(path);
+  }
+  for (size_t i = 0; i < j->cli->outputs.len && status == EXIT_GOOD; i++) {
+    const char *path = j->cli->outputs.data[i];
+    struct stat st;
+    if (strcmp(path, "-") != 0 && stat(path, &st) == 0 && S_ISDIR(st.st_mode)) {
+      char *name = with_extension(base_name(j->input), default_extension(j));
+      Str s = {0};
+      str_printf(&s, "%s/%s", path, name);
+      status = write_mesh(j, str_text(&s));
+      str_free(&s);
+      free(name);
+    } else {
+      status = write_mesh(j, path);
+    }
+  }
+  stage_end(&j->stats);
+  return status;
+}
+
+static ExitCode write_model(Job *j)
+{
+  if (!model_prepare(j->model, j->options.Geometry_Tolerance, j->diag)) return EXIT_INPUT;
+  char *own = j->cli->outputs.len ? NULL : with_extension(j->input, "geo_unrolled");
+  const char *path = own ? own : j->cli->outputs.data[0];
+  Writer *w = writer_open(path);
+  int error = w ? 0 : errno;
+  if (w) {
+    model_unroll(j->model, w);
+    error = writer_close(w);
+  }
+  if (error) diag_error(j->diag, NO_LOC, "%s: %s", path, strerror(error));
+  free(own);
+  return error ? EXIT_ENVIRONMENT : EXIT_GOOD;
+}
+
+// ---- what a script may ask for in the middle ------------------------------------------------------------------------
+static bool host_mesh(void *ctx, MeshCommand what, double number, const char *text, SrcLoc loc)
+{
+  Job *j = ctx;
+  (void)text;
+  switch (what) {
+  case MESH_GENERATE: return generate(j, number < 1 ? 0 : number < 2 ? 1 : number < 3 ? 2 : 3);
+  case MESH_DELETE: drop_mesh(j); return true;
+  case MESH_RENUMBER_NODES:
+  case MESH_RENUMBER_ELEMENTS: return true; // always numbered consecutively
+  case MESH_OPTIMIZE: return true;          // every mesh is optimized as it is made
+  case MESH_REFINE:
+  case MESH_BARYCENTRIC:
+  case MESH_RECOMBINE:
+  case MESH_SET_ORDER:
+  case MESH_PARTITION: break;
+  }
+  if (!j->mesh) {
+    diag_error(j->diag, loc, "there is no mesh yet: say Mesh 2; before");
+    return false;
+  }
+  diag_error(j->diag, loc, "this mesh command is not available");
+  return false;
+}
+
+static bool host_save(void *ctx, const char *path, SrcLoc loc)
+{
+  Job *j = ctx;
+  if (!j->mesh) {
+    diag_error(j->diag, loc, "Save: there is no mesh yet: say Mesh 2; before");
+    return false;
+  }
+  OutOptions o = out_options(&j->options);
+  const Format *f = format_of_path(path);
+  const char *name = f ? format_name(f) : "msh";
+  if (strcmp(name, "msh") == 0 || strcmp(name, "msh4") == 0) name = j->options.Mesh_MshFileVersion >= 3 ? "msh4" : "msh2";
+  return out_write(j->mesh, path, name, &o, j->diag) == EXIT_GOOD;
+}
+
+static void host_print(void *ctx, const char *text)
+{
+  Job *j = ctx;
+  if (diag_level(j->diag) >= LOG_PRINTF) printf("%s\n", text);
+}
+
+static bool host_statistic(void *ctx, const char *key, double *value)
+{
+  Job *j = ctx;
+  static const char *const keys[] = {"NbNodes", "NbTriangles", "NbQuadrangles"};
+  if (!j->mesh) return false;
+  double v[] = {(double)j->mesh->nnode, (double)mesh_count_type(j->mesh, ELEM_TRI3),
+                (double)mesh_count_type(j->mesh, ELEM_QUAD4)};
+  for (size_t i = 0; i < ARRAY_LEN(keys); i++)
+    if (strcmp(key, keys[i]) == 0) {
+      *value = v[i];
+      return true;
+    }
+  return false;
+}
+
+static bool host_system(void *ctx, const char *command, SrcLoc loc)
+{
+  Job *j = ctx;
+  fflush(stdout);
+  if (system(command) == 0) return true;
+  diag_warning(j->diag, loc, "the command failed: %s", command);
+  return true;
+}
+
+// ---- one input --------------------------------------------------------------------------------------------------------
+static void job_init(Job *j, const Cli *c, const char *input, Diag *diag, int threads)
+{
+  *j = (Job){.cli = c, .input = input, .diag = diag, .mesh_dim = -1, .threads = threads};
+  options_copy(&j->options, &c->options);
+  options_set_string(&j->options, options_find("General", "FileName"), input, NO_LOC, diag);
+  j->model = model_new();
+  j->fields = fields_new();
+  j->host = (ScriptHost){.ctx = j, .mesh = host_mesh, .save = host_save, .print = host_print, .statistic = host_statistic,
+                         .system = c->allow_system ? host_system : NULL};
+  j->script = script_new(j->model, &j->options, j->fields, diag, &j->host);
+}
+
+static void job_free(Job *j)
+{
+  drop_mesh(j);
+  script_free(j->script);
+  fields_free(j->fields);
+  model_free(j->model);
+  options_free(&j->options);
+}
+
+static ExitCode run_script_file(Job *j, const char *path)
+{
+  switch (script_run_file(j->script, path)) {
+  case SCRIPT_DONE: break;
+  case SCRIPT_EXIT: j->ended = true; break;
+  case SCRIPT_NO_FILE:
+    diag_error(j->diag, NO_LOC, "%s: %s", path, strerror(errno));
+    return EXIT_ENVIRONMENT;
+  }
+  return diag_errors(j->diag) ? EXIT_INPUT : EXIT_GOOD;
+}
+
+static ExitCode apply_settings(Job *j)
+{
+  ExitCode status = EXIT_GOOD;
+  for (size_t i = 0; i < j->cli->settings.len && status == EXIT_GOOD; i++) {
+    const Setting *s = &j->cli->settings.data[i];
+    bool good = true;
+    switch (s->kind) {
+    case SETTING_NUMBER: good = script_set_number(j->script, s->name, s->value[0]); break;
+    case SETTING_STRING: good = script_set_string(j->script, s->name, s->text); break;
+    case SETTING_LIST: good = script_set_list(j->script, s->name, s->value, s->n); break;
+    case SETTING_TEXT: script_run_text(j->script, "-string", s->text, strlen(s->text)); break;
+    case SETTING_FILE: status = run_script_file(j, s->text); break;
+    }
+    if (status == EXIT_GOOD && (!good || diag_errors(j->diag))) status = EXIT_INPUT;
+  }
+  script_forget_variables(j->script);
+  return status;
+}
+
+static bool is_mesh_file(const char *path)
+{
+  const Format *f = format_of_path(path);
+  return f && format_reads(f) && strcmp(path, "-") != 0;
+}
+
+// Audit what this program made. What is wrong is an error, or with -keep_going a warning.
+static bool audit(Job *j)
+{
+  MeshReport report = {0};
+  stage_begin(&j->stats, "audit");
+  bool good = mesh_check(j->mesh, true, &report);
+  stage_end(&j->stats);
+  enum { SHOWN = 5 };
+  size_t shown = 0;
+  for (size_t i = 0; i < report.finding.len && shown < SHOWN; i++) {
+    const MeshFinding *f = &report.finding.data[i];
+    if (f->warning) continue;
+    char text[400];
+    mesh_finding_print(f, text, sizeof text);
+    if (j->cli->keep_going)
+      diag_warning(j->diag, NO_LOC, "audit: %s", text);
+    else
+      diag_error(j->diag, NO_LOC, "audit: %s", text);
+    shown++;
+  }
+  if (report.errors > shown) diag_note(j->diag, NO_LOC, "and %zu more", report.errors - shown);
+  mesh_report_free(&report);
+  return good;
+}
+
+static ExitCode finish(Job *j)
+{
+  bool good = j->mesh_dim < 0 || audit(j);
+  if (!good && !j->cli->keep_going) return EXIT_INPUT;
+  OutOptions o = out_options(&j->options);
+  out_warn_dropped(j->mesh, &o, j->diag);
+  bool to_stdout = false; // then the report would be in the way
+  for (size_t i = 0; i < j->cli->outputs.len; i++) to_stdout = to_stdout || strcmp(j->cli->outputs.data[i], "-") == 0;
+  ExitCode status = write_all(j);
+  bool wanted = j->cli->report || j->cli->json || j->cli->require.len;
+  if (status == EXIT_GOOD && wanted) status = report_print(j, j->node_size, to_stdout ? stderr : stdout);
+  if (status == EXIT_GOOD && (!good || j->failed_faces)) status = EXIT_PARTIAL;
+  return status;
+}
+
+static int action_dim(CommandId action) { return action == CMD_MESH1 ? 1 : action == CMD_MESH3 ? 3 : 2; }
+
+static ExitCode run_geo(Job *j)
+{
+  CommandId action = j->cli->action;
+  ExitCode status = apply_settings(j);
+  if (status != EXIT_GOOD) return status;
+  stage_begin(&j->stats, "script");
+  status = run_script_file(j, j->input);
+  stage_end(&j->stats);
+  if (j->ended && status == EXIT_GOOD && script_exit_code(j->script) > 0) return (ExitCode)script_exit_code(j->script);
+  if (status != EXIT_GOOD || j->ended || action == CMD_PARSE) return status;
+  if (action == CMD_MESH0) return write_model(j);
+  if (action == CMD_SAVE) {
+    if (!j->mesh) diag_error(j->diag, NO_LOC, "-save: the script makes no mesh");
+    return j->mesh ? finish(j) : EXIT_INPUT;
+  }
+  if (!generate(j, action_dim(action))) return EXIT_INPUT;
+  if (diag_errors(j->diag) && !j->cli->keep_going) return EXIT_INPUT;
+  return finish(j);
+}
+
+static ExitCode run_mesh_file(Job *j)
+{
+  ExitCode status = EXIT_INPUT;
+  stage_begin(&j->stats, "read");
+  j->mesh = out_read(j->input, NULL, j->diag, &status);
+  stage_end(&j->stats);
+  if (!j->mesh) return status;
+  if (!j->cli->outputs.len && !j->cli->format) {
+    diag_error(j->diag, NO_LOC, "%s is a mesh: say where to write it (-o file) or use meshgen check", j->input);
+    return EXIT_USAGE;
+  }
+  return write_all(j);
+}
+
+static ExitCode run_one(const Cli *c, const char *input, Diag *diag, int threads)
+{
+  Job j;
+  job_init(&j, c, input, diag, threads);
+  ExitCode status = is_mesh_file(input) ? run_mesh_file(&j) : run_geo(&j);
+  job_free(&j);
+  return status;
+}
+
+// ---- all inputs -------------------------------------------------------------------------------------------------------
+typedef struct {
+  const Cli *cli;
+  Diag **diag;
+  ExitCode *status;
+} Batch;
+
+static void run_batch_item(void *ctx, size_t i, int worker)
+{
+  (void)worker;
+  Batch *b = ctx;
+  b->status[i] = run_one(b->cli, b->cli->inputs.data[i], b->diag[i], 1);
+}
+
+static ExitCode run_batch(const Cli *c, Diag *diag)
+{
+  size_t n = c->inputs.len;
+  Batch b = {c, mem_alloc(n * sizeof(Diag *)), mem_alloc(n * sizeof(ExitCode))};
+  for (size_t i = 0; i < n; i++) b.diag[i] = diag_child(diag);
+  thread_for(n, c->options.General_NumThreads, run_batch_item, &b);
+  ExitCode worst = EXIT_GOOD;
+  for (size_t i = 0; i < n; i++) {
+    diag_merge(diag, b.diag[i]);
+    printf("%s: %s\n", c->inputs.data[i], b.status[i] == EXIT_GOOD ? "good" : "failed");
+    if (b.status[i] != EXIT_GOOD && (worst == EXIT_GOOD || b.status[i] < worst)) worst = b.status[i];
+  }
+  free(b.diag);
+  free(b.status);
+  return worst;
+}
+
+// What can be known wrong before any work is done.
+static ExitCode check_request(const Cli *c, Diag *diag)
+{
+  struct stat st;
+  if (!c->inputs.len) {
+    diag_error(diag, NO_LOC, "no input file; see meshgen -help");
+    return EXIT_USAGE;
+  }
+  if (c->format && strcmp(c->format, "auto") != 0 && !format_find(c->format)) {
+    diag_error(diag, NO_LOC, "unknown format '%s'; see docs/formats.md for those there are", c->format);
+    return EXIT_USAGE;
+  }
+  bool by_extension = (!c->format || strcmp(c->format, "auto") == 0) && c->action != CMD_MESH0;
+  for (size_t i = 0; i < c->outputs.len; i++) {
+    const char *path = c->outputs.data[i];
+    bool folder = stat(path, &st) == 0 && S_ISDIR(st.st_mode);
+    if (by_extension && !folder && strcmp(path, "-") != 0 && !format_of_path(path)) {
+      diag_error(diag, NO_LOC, "%s: the extension names no known format (say -format)", path);
+      return EXIT_USAGE;
+    }
+    if (c->inputs.len > 1 && !folder) {
+      diag_error(diag, NO_LOC, "with several inputs -o must name an existing folder, not '%s'", path);
+      return EXIT_USAGE;
+    }
+  }
+  return EXIT_GOOD;
+}
+
+ExitCode pipeline_run(const Cli *c, Diag *diag)
+{
+  ExitCode status = check_request(c, diag);
+  if (status != EXIT_GOOD) return status;
+  if (c->inputs.len > 1) return run_batch(c, diag);
+  return run_one(c, c->inputs.data[0], diag, c->options.General_NumThreads);
+}

@@ -1,0 +1,39 @@
+// pipeline.h - from an input file to its outputs: script, model, curves, faces, audit, files, report
+// SPDX-License-Identifier: MIT
+#ifndef CLI_PIPELINE_H
+#define CLI_PIPELINE_H
+
+#include "base/base.h"
+#include "base/stats.h"
+#include "cli/cli.h"
+#include "mesh/mesh.h"
+#include "mesh/mesh1d.h"
+#include "model/model.h"
+#include "script/script.h"
+#include "size/field.h"
+#include "size/size.h"
+
+// All that belongs to one input. Nothing is shared between jobs, so that a batch may run them in parallel.
+typedef struct {
+  const Cli *cli;
+  const char *input;
+  Options options;   // the command line's, then the script's
+  Model *model;
+  FieldSet *fields;
+  Script *script;
+  ScriptHost host;
+  Diag *diag;
+  Stats stats;
+  Mesh1d *curves;
+  Mesh *mesh;        // what -1, -2, `Mesh n;` or a mesh file gave; NULL before
+  double *node_size; // wanted edge length at each node of mesh, or NULL
+  int mesh_dim;      // of the last meshing; -1: none
+  size_t failed_faces;
+  int threads;
+  bool ended;        // the script said Exit
+} Job;
+
+// Run everything the command line asks for. Messages go to diag. Returns the exit status.
+ExitCode pipeline_run(const Cli *c, Diag *diag);
+
+#endif

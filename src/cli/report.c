@@ -1,0 +1,287 @@
+// report.c - what was made and how good it is: text for people, JSON for programs, conditions for CI
+// SPDX-License-Identifier: MIT
+#include "base/base.h"
+
+#include "cli/report.h"
+
+#include <math.h>
+
+#include "base/json.h"
+#include "base/number.h"
+#include "mesh/mesh_hash.h"
+#include "mesh/mesh_stats.h"
+
+enum { REPORT_VERSION = 1 };
+
+typedef struct {
+  const Job *job;
+  MeshStats stats;
+  char hash[MESH_HASH_TEXT];
+} Report;
+
+// ---- the numbers that -require knows and JSON lists -----------------------------------------------------------------
+typedef struct {
+  const char *name;
+  double value;
+} Figure;
+enum { FIGURES = 24 };
+
+static double smallest_angle(const MeshStats *s) { return s->angle.n ? s->angle.min : NAN; }
+
+static size_t figures(const Report *r, Figure f[FIGURES])
+{
+  const MeshStats *s = &r->stats;
+  const double none = NAN;
+  const Figure list[] = {
+      {"nodes", (double)s->nodes},
+      {"elements", (double)(s->triangles + s->quads)},
+      {"points", (double)s->points},
+      {"lines", (double)s->lines},
+      {"triangles", (double)s->triangles},
+      {"quads", (double)s->quads},
+      {"length", s->length},
+      {"area", s->area},
+      {"min_gamma", s->gamma.n ? s->gamma.min : none},
+      {"p5_gamma", s->gamma.n ? s->gamma.p5 : none},
+      {"mean_gamma", s->gamma.n ? s->gamma.mean : none},
+      {"min_eta", s->eta.n ? s->eta.min : none},
+      {"p5_eta", s->eta.n ? s->eta.p5 : none},
+      {"mean_eta", s->eta.n ? s->eta.mean : none},
+      {"min_angle", smallest_angle(s)},
+      {"max_angle", s->angle.n ? s->angle_max : none},
+      {"min_edge", s->edge_min},
+      {"max_edge", s->edge_max},
+      {"tau", s->tau},
+      {"irregular", (double)s->irregular},
+      {"warnings", diag_warnings(r->job->diag)},
+  };
+  CHECK(ARRAY_LEN(list) <= FIGURES);
+  memcpy(f, list, sizeof list);
+  return ARRAY_LEN(list);
+}
+
+// "min_gamma>0.3": name, one of < <= > >= = ==, number.
+static ExitCode check_condition(const Report *r, const char *text, Diag *diag)
+{
+  size_t n = strcspn(text, "<>=");
+  const char *op = text + n;
+  size_t k = strspn(op, "<>=");
+  const char *end = text + strlen(text), *num = op + k;
+  while (n && text[n - 1] == ' ') n--;
+  while (*num == ' ') num++;
+  double want = 0;
+  Figure f[FIGURES];
+  size_t count = figures(r, f), i = 0;
+  while (i < count && !(strlen(f[i].name) == n && memcmp(f[i].name, text, n) == 0)) i++;
+  if (!k || k > 2 || num == end || number_read(num, end, &want) != end || i == count) {
+    diag_error(diag, NO_LOC, "-require \"%s\": not a condition such as \"min_gamma>0.3\" on a figure of the report", text);
+    return EXIT_USAGE;
+  }
+  double v = f[i].value;
+  bool equal = op[k - 1] == '=';
+  bool holds = op[0] == '<' ? v < want || (equal && v == want) : op[0] == '>' ? v > want || (equal && v == want) : v == want;
+  if (holds) return EXIT_GOOD;
+  diag_error(diag, NO_LOC, "-require \"%s\" does not hold: %s is %g", text, f[i].name, v);
+  return EXIT_INPUT;
+}
+
+// ---- text ---------------------------------------------------------------------------------------------------------------
+static void text_time(FILE *f, const Stats *s)
+{
+  fprintf(f, "  %-16s %9s %9s %10s\n", "stage", "wall s", "cpu s", "peak MB");
+  for (int i = 0; i < s->n; i++)
+    fprintf(f, "  %*s%-*s %9.4f %9.4f %10.1f\n", 2 * s->stage[i].depth, "", 16 - 2 * s->stage[i].depth, s->stage[i].name,
+            s->stage[i].wall, s->stage[i].cpu, (double)s->stage[i].peak / 1048576);
+}
+
+static void text_measure(FILE *f, const char *name, const MeasureStats *m)
+{
+  if (m->n) fprintf(f, "  %-16s min %.4f   5%% %.4f   mean %.4f\n", name, m->min, m->p5, m->mean);
+}
+
+static void text_groups(FILE *f, const MeshStats *s)
+{
+  static const char *const dim_name[] = {"point", "curve", "surface"};
+  if (!s->group.len) return;
+  fprintf(f, "  %-8s %6s  %-24s %10s  %s\n", "group", "tag", "name", "elements", "length or area");
+  for (size_t i = 0; i < s->group.len; i++) {
+    const PartStats *p = &s->group.data[i];
+    fprintf(f, "  %-8s %6d  %-24s %10zu", dim_name[p->dim], p->tag, p->name ? p->name : "", p->elements);
+    if (p->dim) fprintf(f, "  %.9g", p->size);
+    fputc('\n', f);
+  }
+}
+
+static void print_text(const Report *r, FILE *f)
+{
+  const MeshStats *s = &r->stats;
+  fprintf(f, "%s: %zu nodes, %zu lines, %zu triangles, %zu quadrangles\n", r->job->input, s->nodes, s->lines,
+          s->triangles, s->quads);
+  text_groups(f, s);
+  text_measure(f, "gamma", &s->gamma);
+  text_measure(f, "eta (quads)", &s->eta);
+  if (s->angle.n) fprintf(f, "  %-16s %.2f to %.2f degrees\n", "angles", s->angle.min, s->angle_max);
+  if (s->nworst) {
+    const WorstElement *w = &s->worst[0];
+    fprintf(f, "  %-16s %s %llu of surface %d at (%.6g, %.6g), %.4f\n", "worst element", elem_name(w->type),
+            (unsigned long long)w->element, w->tag, w->at.x, w->at.y, w->value);
+  }
+  if (isfinite(s->tau)) fprintf(f, "  %-16s %.4f\n", "efficiency tau", s->tau);
+  fprintf(f, "  %-16s %s\n", "hash", r->hash);
+  text_time(f, &r->job->stats);
+}
+
+// ---- JSON ---------------------------------------------------------------------------------------------------------------
+static void json_vec(Json *j, const char *name, Vec3 p)
+{
+  json_begin(j, name, '[');
+  json_number(j, NULL, p.x);
+  json_number(j, NULL, p.y);
+  json_number(j, NULL, p.z);
+  json_end(j, ']');
+}
+
+static void json_options(Json *j, const Options *o)
+{
+  size_t n;
+  const OptRow *rows = options_rows(&n);
+  json_begin(j, "options", '{');
+  for (size_t i = 0; i < n; i++) {
+    const OptRow *row = &rows[i];
+    if (row->kind != OPT_NUM && row->kind != OPT_INT && row->kind != OPT_BOOL) continue;
+    if (strcmp(row->key, "NumThreads") == 0 || options_get_number(o, row) == row->def) continue;
+    char name[128];
+    snprintf(name, sizeof name, "%s.%s", row->category, row->key);
+    json_number(j, name, options_get_number(o, row));
+  }
+  json_end(j, '}');
+}
+
+static void json_parts(Json *j, const char *title, const PartStats *p, size_t n, bool named)
+{
+  json_begin(j, title, '[');
+  for (size_t i = 0; i < n; i++) {
+    json_begin(j, NULL, '{');
+    json_integer(j, "dim", p[i].dim);
+    json_integer(j, "tag", p[i].tag);
+    if (named) json_string(j, "name", p[i].name);
+    json_integer(j, "elements", (long long)p[i].elements);
+    if (p[i].dim == 1) json_number(j, "length", p[i].size);
+    if (p[i].dim == 2) json_number(j, "area", p[i].size);
+    json_end(j, '}');
+  }
+  json_end(j, ']');
+}
+
+static void json_histogram(Json *j, const char *name, const MeasureStats *m)
+{
+  if (!m->n) return;
+  json_begin(j, name, '{');
+  json_number(j, "from", 0);
+  json_number(j, "to", m->range);
+  json_begin(j, "count", '[');
+  for (int i = 0; i < STATS_BINS; i++) json_integer(j, NULL, (long long)m->bin[i]);
+  json_end(j, ']');
+  json_end(j, '}');
+}
+
+static void json_worst(Json *j, const MeshStats *s)
+{
+  json_begin(j, "worst", '[');
+  for (size_t i = 0; i < s->nworst; i++) {
+    json_begin(j, NULL, '{');
+    json_string(j, "type", elem_name(s->worst[i].type));
+    json_integer(j, "element", (long long)s->worst[i].element);
+    json_integer(j, "surface", s->worst[i].tag);
+    json_vec(j, "center", s->worst[i].at);
+    json_number(j, "quality", s->worst[i].value);
+    json_end(j, '}');
+  }
+  json_end(j, ']');
+}
+
+static void json_messages(Json *j, const Diag *d)
+{
+  json_begin(j, "messages", '[');
+  for (size_t i = 0; i < diag_count(d); i++) {
+    static const char *const kinds[] = {"note", "warning", "error"};
+    const DiagMessage *m = diag_get(d, i);
+    json_begin(j, NULL, '{');
+    json_string(j, "kind", kinds[m->kind]);
+    if (m->loc.line) {
+      json_string(j, "file", diag_file_name(d, m->loc.file));
+      json_integer(j, "line", m->loc.line);
+      json_integer(j, "column", m->loc.col);
+    }
+    json_string(j, "text", m->text);
+    json_end(j, '}');
+  }
+  json_end(j, ']');
+}
+
+static void json_stages(Json *j, const Stats *s)
+{
+  json_begin(j, "stages", '[');
+  for (int i = 0; i < s->n; i++) {
+    json_begin(j, NULL, '{');
+    json_string(j, "name", s->stage[i].name);
+    json_integer(j, "depth", s->stage[i].depth);
+    json_number(j, "wall_seconds", s->stage[i].wall);
+    json_number(j, "cpu_seconds", s->stage[i].cpu);
+    json_integer(j, "peak_bytes", (long long)s->stage[i].peak);
+    json_end(j, '}');
+  }
+  json_end(j, ']');
+}
+
+static void print_json(const Report *r, FILE *f)
+{
+  const MeshStats *s = &r->stats;
+  Json j = {0};
+  json_begin(&j, NULL, '{');
+  json_integer(&j, "report_version", REPORT_VERSION);
+  json_string(&j, "meshgen", meshgen_version);
+  json_string(&j, "input", r->job->input);
+  json_options(&j, &r->job->options);
+  Figure list[FIGURES];
+  size_t n = figures(r, list);
+  json_begin(&j, "mesh", '{');
+  for (size_t i = 0; i < n; i++) json_number(&j, list[i].name, list[i].value);
+  json_integer(&j, "order", s->order);
+  json_vec(&j, "box_min", s->lo);
+  json_vec(&j, "box_max", s->hi);
+  json_string(&j, "hash", r->hash);
+  json_end(&j, '}');
+  json_parts(&j, "groups", s->group.data, s->group.len, true);
+  json_parts(&j, "entities", s->entity.data, s->entity.len, false);
+  json_begin(&j, "histograms", '{');
+  json_histogram(&j, "gamma", &s->gamma);
+  json_histogram(&j, "eta", &s->eta);
+  json_histogram(&j, "angle", &s->angle);
+  json_end(&j, '}');
+  json_worst(&j, s);
+  json_stages(&j, &r->job->stats);
+  json_messages(&j, r->job->diag);
+  json_end(&j, '}');
+  fprintf(f, "%s\n", str_text(&j.out));
+  str_free(&j.out);
+}
+
+ExitCode report_print(const Job *j, const double *node_size, FILE *f)
+{
+  Report r = {.job = j};
+  mesh_stats_make(&r.stats, j->mesh, node_size);
+  MeshHash h = mesh_hash(j->mesh, j->options.Mesh_SaveAll);
+  mesh_hash_print(h.full, r.hash);
+  ExitCode status = EXIT_GOOD;
+  for (size_t i = 0; i < j->cli->require.len; i++) {
+    ExitCode s = check_condition(&r, j->cli->require.data[i], j->diag);
+    if (s != EXIT_GOOD && status != EXIT_USAGE) status = s;
+  }
+  if (j->cli->json)
+    print_json(&r, f);
+  else if (j->cli->report && diag_level(j->diag) > LOG_SILENT)
+    print_text(&r, f);
+  mesh_stats_free(&r.stats);
+  return status;
+}

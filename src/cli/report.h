@@ -1,0 +1,13 @@
+// report.h - what was made and how good it is: text for people, JSON for programs, conditions for CI
+// SPDX-License-Identifier: MIT
+#ifndef CLI_REPORT_H
+#define CLI_REPORT_H
+
+#include "cli/pipeline.h"
+
+// Print the report of j's mesh to f (nothing at -v 0; one JSON object with --json; schema in docs/report.md), then check the
+// -require conditions: EXIT_INPUT and an error per condition that does not hold, EXIT_USAGE for one that cannot be read.
+// node_size: wanted edge length at each node for the efficiency index, or NULL.
+ExitCode report_print(const Job *j, const double *node_size, FILE *f);
+
+#endif

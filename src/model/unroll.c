@@ -1,0 +1,308 @@
+// unroll.c - a model written as plain .geo
+// SPDX-License-Identifier: MIT
+#include "base/base.h"
+
+#include "model/unroll.h"
+
+#include "model/model_int.h"
+
+enum { WIDTH = 100 };
+
+// `{a, b, c}`, broken over lines.
+static void put_ints(Writer *w, const int *v, size_t n)
+{
+  size_t col = 20;
+  writer_char(w, '{');
+  for (size_t i = 0; i < n; i++) {
+    char text[16];
+    int len = snprintf(text, sizeof text, "%d", v[i]);
+    if (i) {
+      writer_str(w, col > WIDTH ? ",\n  " : ", ");
+      col = col > WIDTH ? 2 : col + 2;
+    }
+    writer_bytes(w, text, (size_t)len);
+    col += (size_t)len;
+  }
+  writer_char(w, '}');
+}
+
+static void put_doubles(Writer *w, const double *v, size_t n)
+{
+  writer_char(w, '{');
+  for (size_t i = 0; i < n; i++) {
+    if (i) writer_str(w, i % 8 ? ", " : ",\n  ");
+    writer_double(w, v[i]);
+  }
+  writer_char(w, '}');
+}
+
+static void put_vec(Writer *w, Vec3 v) { put_doubles(w, (double[]){v.x, v.y, v.z}, 3); }
+
+static void put_head(Writer *w, const char *what, int tag)
+{
+  writer_str(w, what);
+  writer_char(w, '(');
+  writer_i64(w, tag);
+  writer_str(w, ") = ");
+}
+
+// `What {tags} = ` or without the equals sign.
+static void put_list_head(Writer *w, const char *what, const int *v, size_t n, const char *after)
+{
+  writer_str(w, what);
+  writer_char(w, ' ');
+  put_ints(w, v, n);
+  writer_str(w, after);
+}
+
+// ---- points, curves -------------------------------------------------------------------------------------------------------
+
+static Vec3 own_place(const Model *m, const Point *p)
+{
+  for (size_t i = 0; i < m->moved.len; i++)
+    if (m->moved.data[i].tag == p->tag) return m->moved.data[i].xyz;
+  return p->xyz;
+}
+
+static void put_points(Writer *w, const Model *m)
+{
+  for (size_t i = 0; i < model_points(m); i++) {
+    const Point *p = model_point_at(m, i);
+    Vec3 x = own_place(m, p);
+    double v[4] = {x.x, x.y, x.z, p->lc};
+    put_head(w, "Point", p->tag);
+    put_doubles(w, v, p->lc < LC_UNSET ? 4 : 3);
+    writer_str(w, ";\n");
+  }
+}
+
+// Half circles are told apart by their plane only.
+static bool needs_plane(const Model *m, const Curve *c)
+{
+  if (!c->has_plane || (c->type != CURVE_CIRCLE && c->type != CURVE_ELLIPSE)) return false;
+  Vec3 o = model_point(m, c->point[1])->xyz;
+  Vec3 a = vec3_sub(model_point(m, c->point[0])->xyz, o), b = vec3_sub(model_point(m, c->point[c->npoint - 1])->xyz, o);
+  return vec3_length(vec3_cross(a, b)) <= 1e-9 * vec3_length(a) * vec3_length(b);
+}
+
+static void put_curves(Writer *w, const Model *m)
+{
+  static const char *const word[] = {"Line", "Line", "Circle", "Ellipse", "Spline", "BSpline", "Bezier", "Nurbs"};
+  for (size_t i = 0; i < model_curves(m); i++) {
+    const Curve *c = model_curve_at(m, i);
+    put_head(w, word[c->type], c->tag);
+    put_ints(w, c->point, (size_t)c->npoint);
+    if (needs_plane(m, c)) {
+      writer_str(w, " Plane ");
+      put_vec(w, c->plane);
+    }
+    if (c->type == CURVE_NURBS) {
+      writer_str(w, " Knots ");
+      put_doubles(w, c->knot, (size_t)c->nknot);
+      writer_printf(w, " Order %d", c->nknot - c->npoint - 1);
+    }
+    writer_str(w, ";\n");
+  }
+}
+
+// ---- loops, faces, volumes --------------------------------------------------------------------------------------------------
+
+static void put_loop(Writer *w, int tag, const Loop *l)
+{
+  put_head(w, "Curve Loop", tag);
+  put_ints(w, l->curve, (size_t)l->ncurve);
+  writer_str(w, ";\n");
+}
+
+// Hidden loops get tags beyond all others. Returns false for a face with an open loop.
+static bool put_face(Writer *w, const Model *m, const Face *f, int *fresh)
+{
+  int *loop = mem_alloc((size_t)f->nloop * sizeof *loop);
+  bool good = true;
+  for (int i = 0; i < f->nloop && good; i++) {
+    const Loop *l = model_loop(m, f->loop[i]);
+    good = l && l->sorted;
+    loop[i] = f->loop[i];
+    if (!good || l->tag < HIDDEN_LOOP) continue;
+    put_loop(w, ++*fresh, l);
+    loop[i] = f->loop[i] < 0 ? -*fresh : *fresh;
+  }
+  if (good) {
+    put_head(w, f->type == FACE_PLANE ? "Plane Surface" : "Surface", f->tag);
+    put_ints(w, loop, (size_t)f->nloop);
+    writer_str(w, ";\n");
+  }
+  free(loop);
+  return good;
+}
+
+static void put_faces(Writer *w, const Model *m)
+{
+  int fresh = 0;
+  for (int k = KIND_CURVE; k < KIND_COUNT; k++) fresh = MAX(fresh, model_max_tag(m, (Kind)k));
+  for (size_t i = 0; i < model_loops(m); i++)
+    if (model_loop_at(m, i)->sorted) put_loop(w, model_loop_at(m, i)->tag, model_loop_at(m, i));
+  for (size_t i = 0; i < model_faces(m); i++) put_face(w, m, model_face_at(m, i), &fresh);
+  IntVec volume = {0};
+  model_all(m, 3, &volume);
+  for (size_t i = 0; i < volume.len; i++) {
+    const Volume *v = table__get(&m->volume, volume.data[i]);
+    IntVec face = {0};
+    for (int k = 0; k < v->nface; k++) vec_push(&face, tag__abs(v->face[k]));
+    put_head(w, "Surface Loop", v->tag);
+    put_ints(w, face.data, face.len);
+    writer_str(w, ";\n");
+    put_head(w, "Volume", v->tag);
+    put_ints(w, &v->tag, 1);
+    writer_str(w, ";\n");
+    vec_free(&face);
+  }
+  vec_free(&volume);
+}
+
+// ---- how to mesh --------------------------------------------------------------------------------------------------------------
+
+static bool uniform(const Layers *l) { return l->n == 1; }
+
+static void put_transfinite_curve(Writer *w, const Curve *c)
+{
+  int tag = c->law == LAW_BETA && c->coef < 0 ? -c->tag : c->tag;
+  put_list_head(w, "Transfinite Curve", &tag, 1, " = ");
+  writer_i64(w, c->transfinite);
+  static const char *const law[] = {NULL, "Progression", "Bump", "Beta"};
+  if (law[c->law]) {
+    writer_str(w, " Using ");
+    writer_str(w, law[c->law]);
+    writer_char(w, ' ');
+    writer_double(w, c->law == LAW_BETA ? fabs(c->coef) : c->coef);
+  }
+  writer_str(w, ";\n");
+}
+
+static void put_swept_curve(Writer *w, const Curve *c)
+{
+  if (c->transfinite || !c->extruded_point || !c->layers.n) return;
+  if (uniform(&c->layers)) {
+    put_list_head(w, "Transfinite Curve", &c->tag, 1, " = ");
+    writer_i64(w, (int64_t)c->layers.count[0] + 1);
+    writer_str(w, ";\n");
+  } else {
+    writer_printf(w, "// curve %d was extruded with %d layers of unequal elements\n", c->tag, c->layers.n);
+  }
+}
+
+static void put_curve_attributes(Writer *w, const Model *m)
+{
+  for (size_t i = 0; i < model_curves(m); i++) {
+    const Curve *c = model_curve_at(m, i);
+    if (c->transfinite) put_transfinite_curve(w, c);
+    put_swept_curve(w, c);
+    if (c->reverse_mesh) put_list_head(w, "ReverseMesh Curve", &c->tag, 1, ";\n");
+    if (c->degenerate) put_list_head(w, "Degenerated Curve", &c->tag, 1, ";\n");
+    int master = c->periodic_master ? c->periodic_master : c->transfinite ? 0 : c->copy_of;
+    if (!master) continue;
+    put_list_head(w, "Periodic Curve", &c->tag, 1, " = ");
+    put_ints(w, &master, 1);
+    if (c->periodic_master && c->affine) {
+      writer_str(w, " Affine ");
+      put_doubles(w, c->affine, 16);
+    }
+    writer_str(w, ";\n");
+  }
+}
+
+static void put_transfinite_face(Writer *w, const Face *f)
+{
+  static const char *const word[] = {"", " Right", " AlternateRight", " AlternateLeft"};
+  put_list_head(w, "Transfinite Surface", &f->tag, 1, "");
+  if (f->ncorner) {
+    writer_str(w, " = ");
+    put_ints(w, f->corner, (size_t)f->ncorner);
+  }
+  writer_str(w, word[f->arrangement]);
+  writer_str(w, ";\n");
+}
+
+static void put_face_attributes(Writer *w, const Model *m)
+{
+  for (size_t i = 0; i < model_faces(m); i++) {
+    const Face *f = model_face_at(m, i);
+    bool swept = f->extruded_curve && f->layers.n && uniform(&f->layers);
+    if (f->transfinite || swept) put_transfinite_face(w, f);
+    if (f->recombine || (swept && f->layers.recombine)) {
+      put_list_head(w, "Recombine Surface", &f->tag, 1, "");
+      if (f->recombine && f->recombine_angle != 45) {
+        writer_str(w, " = ");
+        writer_double(w, f->recombine_angle);
+      }
+      writer_str(w, ";\n");
+    }
+    const struct {
+      const char *word;
+      int value, none;
+    } number[] = {{"Smoother Surface", f->smoother, 0},
+                  {"MeshAlgorithm Surface", f->algorithm, 0},
+                  {"MeshSizeFromBoundary Surface", f->size_from_boundary, -1}};
+    for (size_t k = 0; k < ARRAY_LEN(number); k++) {
+      if (number[k].value == number[k].none) continue;
+      put_list_head(w, number[k].word, &f->tag, 1, " = ");
+      writer_i64(w, number[k].value);
+      writer_str(w, ";\n");
+    }
+    if (f->reverse_mesh) put_list_head(w, "ReverseMesh Surface", &f->tag, 1, ";\n");
+    const IntVec *in[2] = {&f->embedded_points, &f->embedded_curves};
+    for (int k = 0; k < 2; k++) {
+      if (!in[k]->len) continue;
+      writer_str(w, k ? "Curve " : "Point ");
+      put_ints(w, in[k]->data, in[k]->len);
+      writer_printf(w, " In Surface {%d};\n", f->tag);
+    }
+  }
+}
+
+static void put_compounds(Writer *w, const Model *m)
+{
+  for (int dim = 1; dim <= 2; dim++)
+    for (int index = 1; index <= m->ncompound[dim]; index++) {
+      IntVec tag = {0};
+      for (size_t i = 0; dim == 1 && i < model_curves(m); i++)
+        if (model_curve_at(m, i)->compound == index) vec_push(&tag, model_curve_at(m, i)->tag);
+      for (size_t i = 0; dim == 2 && i < model_faces(m); i++)
+        if (model_face_at(m, i)->compound == index) vec_push(&tag, model_face_at(m, i)->tag);
+      if (tag.len) put_list_head(w, dim == 1 ? "Compound Curve" : "Compound Surface", tag.data, tag.len, ";\n");
+      vec_free(&tag);
+    }
+}
+
+// ---- groups -------------------------------------------------------------------------------------------------------------------
+
+static void put_groups(Writer *w, const Model *m)
+{
+  static const char *const word[] = {"Point", "Curve", "Surface", "Volume"};
+  for (size_t i = 0; i < model_groups(m); i++) {
+    const Group *g = model_group_at(m, i);
+    writer_printf(w, "Physical %s(", word[g->dim]);
+    if (g->name) {
+      char quote = strchr(g->name, '"') ? '\'' : '"';
+      writer_char(w, quote);
+      writer_str(w, g->name);
+      writer_char(w, quote);
+      writer_str(w, ", ");
+    }
+    writer_i64(w, g->tag);
+    writer_str(w, ") = ");
+    put_ints(w, g->entity.data, g->entity.len);
+    writer_str(w, ";\n");
+  }
+}
+
+void model_unroll(const Model *m, Writer *w)
+{
+  put_points(w, m);
+  put_curves(w, m);
+  put_faces(w, m);
+  put_curve_attributes(w, m);
+  put_face_attributes(w, m);
+  put_compounds(w, m);
+  put_groups(w, m);
+}
