@@ -140,16 +140,38 @@ static void added_vertex(MinAngle *q, VertId v, double lfs, VertId from, VertId 
   vec_push(&q->from, from), vec_push(&q->to, to);
 }
 
-// Local feature size at a new vertex: no more than that of a neighbour plus the distance to it.
-static double feature_at(const MinAngle *q, const double *p)
+// Ends of the input segment that the segment uv is a part of.
+static void input_ends(const MinAngle *q, VertId u, VertId v, VertId end[2])
+{
+  end[0] = u, end[1] = v;
+  if (!is_given(q, u)) end[0] = q->from.data[u], end[1] = q->to.data[u];
+  else if (!is_given(q, v)) end[0] = q->from.data[v], end[1] = q->to.data[v];
+}
+
+static double distance_to_segment(const double *p, const double *a, const double *b)
+{
+  double x = b[0] - a[0], y = b[1] - a[1], t = ((p[0] - a[0]) * x + (p[1] - a[1]) * y) / (x * x + y * y);
+  t = t > 0 ? t < 1 ? t : 1 : 0;
+  return hypot(a[0] + t * x - p[0], a[1] + t * y - p[1]);
+}
+
+// Local feature size at a new vertex: no more than that of a neighbour plus the distance to it; and of a vertex on a segment
+// (whose input ends are `own`; NULL for others), than the distance to another segment that does not touch that one.
+static double feature_at(const MinAngle *q, const double *p, const VertId *own)
 {
   const Tri *m = q->r->m;
   double f = INFINITY;
   for (size_t i = 0; i < q->c.rim.len; i++) {
-    VertId u = tri_org(m, q->c.rim.data[i]);
+    EdgeId e = q->c.rim.data[i];
+    VertId u = tri_org(m, e), v = tri_dest(m, e), end[2];
     if (u == TRI_INF) continue; // splitting a side of the hull
     double g = q->lfs.data[u] + sqrt(metric_distance2(p, tri_xy(m, u)));
-    if (g < f) f = g;
+    f = MIN(f, g);
+    if (!own || v == TRI_INF || !tri_is_segment(m, e)) continue;
+    input_ends(q, u, v, end);
+    if (end[0] == own[0] || end[0] == own[1] || end[1] == own[0] || end[1] == own[1]) continue;
+    g = distance_to_segment(p, tri_xy(m, u), tri_xy(m, v));
+    f = MIN(f, g);
   }
   return f;
 }
@@ -170,12 +192,11 @@ static bool split_segment(MinAngle *q, EdgeId e)
   Vec2 p = {a[0] + at * (b[0] - a[0]), a[1] + at * (b[1] - a[1])};
   if (q->r->p->split && !q->r->p->split(q->r->p->split_ctx, u, v, at, &p)) return false;
   if (tri_cavity_split(m, &q->c, (double[]){p.x, p.y}, e) != TRI_INSERTED) return false;
-  double lfs = feature_at(q, (double[]){p.x, p.y});
-  VertId from = u, to = v;
-  if (!is_given(q, u)) from = q->from.data[u], to = q->to.data[u];
-  else if (!is_given(q, v)) from = q->from.data[v], to = q->to.data[v];
+  VertId own[2];
+  input_ends(q, u, v, own);
+  double lfs = feature_at(q, (double[]){p.x, p.y}, own);
   VertId w = tri_commit(m, &q->c);
-  added_vertex(q, w, lfs, from, to);
+  added_vertex(q, w, lfs, own[0], own[1]);
   q->r->stats->split++;
   if (q->r->p->placed) q->r->p->placed(q->r->p->split_ctx, u, v, w);
   consider_new(q);
@@ -275,7 +296,7 @@ static bool improve(MinAngle *q, TriId t)
   if (tri_cavity(m, &q->c, p, loc, e) != TRI_INSERTED) return false;
   int split;
   if (yield_to_segments(q, p, &split)) return split > 0;
-  double lfs = feature_at(q, p);
+  double lfs = feature_at(q, p, NULL);
   if (too_near(q, p, lfs)) return false;
   added_vertex(q, tri_commit(m, &q->c), lfs, NONE, NONE);
   q->r->stats->inserted++;

@@ -3,7 +3,7 @@
 //
 //   bench_refine CASE H [-algo N] [-smooth N] [-opt N] [-angle A] [-reps N] [-png FILE] [-zoom X Y R] [-noextend]
 //
-// CASE: square | rect (1 x 3, h = H (0.1 + 0.08 sin 3x cos 6y)) | disc | holes | ell | gap | spike | star
+// CASE: square | rect (1 x 3, h = H (0.1 + 0.08 sin 3x cos 6y)) | disc | holes | ell | gap | spike | star | file:PATH
 // Prints a line of figures; with -reps the time is the median.
 #include "base/base.h"
 
@@ -87,8 +87,32 @@ static void circle(Domain *d, Vec2 c, double radius)
   close_loop(d, first);
 }
 
+// Loops of points from a file: "x y" lines, loops parted by empty lines.
+static bool read_loops(Domain *d, const char *path)
+{
+  FILE *f = fopen(path, "r");
+  if (!f) return false;
+  char line[256];
+  Vec(Vec2) p = {0};
+  bool more = true;
+  while (more) {
+    Vec2 v;
+    more = fgets(line, sizeof line, f) != NULL;
+    if (more && sscanf(line, "%lf %lf", &v.x, &v.y) == 2) {
+      vec_push(&p, v);
+    } else if (p.len) {
+      polygon(d, p.data, p.len);
+      vec_clear(&p);
+    }
+  }
+  vec_free(&p);
+  fclose(f);
+  return true;
+}
+
 static bool make_domain(Domain *d)
 {
+  if (!strncmp(d->name, "file:", 5)) return read_loops(d, d->name + 5);
   if (!strcmp(d->name, "square")) {
     polygon(d, (Vec2[]){{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 4);
   } else if (!strcmp(d->name, "rect")) {

@@ -17,7 +17,7 @@ static void add_loop(Domain *d, const Vec2 *p, size_t n, double h)
   size_t first = d->xy.len / 2;
   for (size_t i = 0; i < n; i++) {
     Vec2 a = p[i], b = p[(i + 1) % n];
-    int k = (int)ceil(vec2_length(vec2_sub(b, a)) / h - 0.01);
+    int k = (int)fmax(1, ceil(vec2_length(vec2_sub(b, a)) / h - 0.01));
     for (int j = 0; j < k; j++) {
       vec_push(&d->xy, a.x + (b.x - a.x) * j / k);
       vec_push(&d->xy, a.y + (b.y - a.y) * j / k);
