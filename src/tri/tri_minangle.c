@@ -13,6 +13,10 @@ enum { NKEYS = 256 };
 // No edge is made shorter than this part of the local feature size. Ruppert's constant is below 10 up to 25 degrees.
 #define LEAST_PART (1. / 128)
 
+// The least angle between segments at a vertex: under 60 degrees, where no promise holds; under 120, where one triangle may fill
+// it, and is good if isosceles, which shells make it (else refinement at 33 degrees can go on toward a corner of 98); or more.
+enum { MEET_WIDE, MEET_SHELLS, MEET_ACUTE };
+
 typedef struct {
   TriId t;
   VertId v[3];
@@ -26,7 +30,7 @@ typedef struct {
   VertId given;     // vertices of the input
   Vec(double) lfs;  // by vertex: local feature size, at most
   U32Vec from, to;  // by vertex: ends of the input segment that it splits; NONE for others
-  bool *acute;      // by given vertex: two segments meet there at less than 60 degrees inside the domain
+  uint8_t *meet;    // by given vertex: how segments meet there inside the domain
   Vec(Skinny) stack[NKEYS];
   int top;
 } MinAngle;
@@ -92,7 +96,7 @@ static void input_features(MinAngle *q)
 static void find_acute(MinAngle *q)
 {
   const Tri *m = q->r->m;
-  q->acute = mem_zalloc(m->nv * sizeof *q->acute);
+  q->meet = mem_zalloc(m->nv);
   for (VertId v = 0; v < m->nv; v++) {
     EdgeId first = m->hint[v], e = first;
     if (first == NONE) continue;
@@ -113,7 +117,8 @@ static void find_acute(MinAngle *q)
       }
       e = tri_ccw(m, e);
       if (tri_is_segment(m, e)) {
-        if (angle < 1.0472) q->acute[v] = true;
+        int how = angle < 1.0472 ? MEET_ACUTE : angle < 2.1 ? MEET_SHELLS : MEET_WIDE;
+        if (how > q->meet[v]) q->meet[v] = (uint8_t)how;
         angle = 0;
       }
     } while (e != first);
@@ -124,10 +129,10 @@ static void find_acute(MinAngle *q)
 
 static bool is_given(const MinAngle *q, VertId v) { return v < q->given; }
 
-// Where to split uv, as a part of its length: in the middle, or on a shell about an end that is an acute input vertex.
+// Where to split uv, as a part of its length: in the middle, or on a shell about an end where segments meet at an angle.
 static double where_to_split(const MinAngle *q, VertId u, VertId v, double len)
 {
-  bool au = is_given(q, u) && q->acute[u], av = is_given(q, v) && q->acute[v];
+  bool au = is_given(q, u) && q->meet[u], av = is_given(q, v) && q->meet[v];
   if (au == av) return 0.5;
   double shell = exp2(floor(log2(len / 1.5))) / len; // in (1/3, 2/3]
   return au ? shell : 1 - shell;
@@ -213,7 +218,7 @@ static bool on_one_shell(const MinAngle *q, VertId u, VertId v)
   const VertId eu[2] = {q->from.data[u], q->to.data[u]}, ev[2] = {q->from.data[v], q->to.data[v]};
   for (int i = 0; i < 2; i++)
     for (int j = 0; j < 2; j++) {
-      if (eu[i] != ev[j] || eu[1 - i] == ev[1 - j] || !q->acute[eu[i]]) continue;
+      if (eu[i] != ev[j] || eu[1 - i] == ev[1 - j] || q->meet[eu[i]] != MEET_ACUTE) continue;
       double a = dist(q->r->m, eu[i], u), b = dist(q->r->m, eu[i], v);
       if (fabs(a - b) < 1e-3 * a) return true;
     }
@@ -225,7 +230,7 @@ static bool is_input_angle(const MinAngle *q, EdgeId side)
 {
   const Tri *m = q->r->m;
   VertId v = tri_apex(m, side);
-  return is_given(q, v) && q->acute[v] && tri_is_segment(m, tri_next(side)) && tri_is_segment(m, tri_prev(side));
+  return is_given(q, v) && q->meet[v] == MEET_ACUTE && tri_is_segment(m, tri_next(side)) && tri_is_segment(m, tri_prev(side));
 }
 
 static bool excused(const MinAngle *q, EdgeId side)
@@ -320,7 +325,7 @@ static void finish(MinAngle *q)
 {
   for (int k = 0; k < NKEYS; k++) vec_free(&q->stack[k]);
   vec_free(&q->lfs), vec_free(&q->from), vec_free(&q->to);
-  free(q->acute);
+  free(q->meet);
   tri_cavity_free(&q->c);
 }
 
