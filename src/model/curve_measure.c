@@ -279,10 +279,19 @@ static double nearest_on_circle(const CurveShape *h, Vec3 p)
   return fmax(0, fmin(1, (t - h->t0) / w));
 }
 
-double curve_nearest(const Model *m, const Curve *c, Vec3 p)
+// The end points may stand off the curve: they count as its ends all the same.
+static double or_an_end(const Model *m, const Curve *c, Vec3 p, double u)
 {
-  const CurveShape *h = c->shape;
-  if (!h) return nearest_on_segment(curve__begin(m, c), curve__end(m, c), p);
+  double d = vec3_distance(p, curve_point(m, c, u)), begin = vec3_distance(p, curve__begin(m, c));
+  if (begin < d) {
+    d = begin;
+    u = 0;
+  }
+  return vec3_distance(p, curve__end(m, c)) < d ? 1 : u;
+}
+
+static double nearest_inside(const CurveShape *h, Vec3 p)
+{
   if (h->kind == SHAPE_ARC && h->circle) return nearest_on_circle(h, p);
   Search q = {.h = h, .p = p, .best = INFINITY};
   double slope, bend;
@@ -308,4 +317,11 @@ double curve_nearest(const Model *m, const Curve *c, Vec3 p)
   }
   int i = q.best_piece;
   return fmax(0, fmin(1, h->knot[i] + q.best_s * (h->knot[i + 1] - h->knot[i])));
+}
+
+double curve_nearest(const Model *m, const Curve *c, Vec3 p)
+{
+  const CurveShape *h = c->shape;
+  if (!h) return nearest_on_segment(curve__begin(m, c), curve__end(m, c), p);
+  return or_an_end(m, c, p, nearest_inside(h, p));
 }
