@@ -9,12 +9,16 @@
 extern "C" {
 #endif
 
-// Position along the Hilbert curve of the cell (x, y) of a 2^32 x 2^32 grid [book §3.3.4].
-uint64_t hilbert_key(uint32_t x, uint32_t y);
+// Position along the Hilbert curve of the cell (x, y), both below 2^16, of a 2^16 x 2^16 grid [book §3.3.4].
+uint32_t hilbert_key(uint32_t x, uint32_t y);
 
-// Fill order[0..n) with the indices of the points xy[2n] along the curve over their bounding square; points in one cell
-// by x, then y, then index. So equal points are neighbours, and the sequence of coordinates does not depend on the order
-// of the input. Coordinates must be finite. O(n).
+// Fill order[0..n) with the indices of the points xy[2n] along the curve over their bounding square, and key[0..n)
+// (may be NULL) with the cells in that order, ascending. Points in one cell follow a curve over their own square, and so on
+// down; equal points are neighbours, by index. The sequence of coordinates does not depend on the order of the
+// input, nor on threads (0: one per processor). Coordinates must be finite. O(n) but for absurd ranges of exponents.
+void hilbert_sort(const double *xy, size_t n, uint32_t *order, uint32_t *key, int threads);
+
+// The same with one thread and without the cells.
 void hilbert_order(const double *xy, size_t n, uint32_t *order);
 
 #ifdef __cplusplus

@@ -94,7 +94,7 @@ static inline int incircle_count(const double *a, const double *b, const double 
   double ax = a[0] - d[0], ay = a[1] - d[1], bx = b[0] - d[0], by = b[1] - d[1], cx = c[0] - d[0], cy = c[1] - d[1];
   double al = ax * ax + ay * ay, bl = bx * bx + by * by, cl = cx * cx + cy * cy, s = al + bl + cl;
   double det = al * (bx * cy - cx * by) + bl * (cx * ay - ax * cy) + cl * (ax * by - bx * ay);
-  double bound = INCIRCLE_BOUND * s * s + (INCIRCLE_TINY * s + INCIRCLE_TINY);
+  double bound = INCIRCLE_BOUND * (s * s) + (INCIRCLE_TINY * s + INCIRCLE_TINY); // infinite before det can be
   if (LIKELY(det > bound)) return 1;
   if (LIKELY(-det > bound)) return -1;
   return incircle_slow(a, b, c, d, count);

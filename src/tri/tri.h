@@ -52,7 +52,8 @@ typedef struct {
   EdgeId last;         // where the next walk starts when no hint is given
   uint8_t dim;         // 2; or 1 all points collinear, 0 one point, 255 no point
   PredCount count;
-  uint64_t walk_steps, walks; // triangles passed by tri_locate, and calls
+  uint64_t walks, walk_steps; // walks of insertions and tri_locate, and the edges they crossed
+  uint64_t cavity_triangles;  // in the cavities of tri_build's insertions
 } Tri;
 
 // ---- navigation -----------------------------------------------------------------------------------------------
@@ -104,6 +105,7 @@ typedef struct {
   bool reorder;         // number the vertices along a Hilbert curve (fast for many points) instead of as given
   bool take;            // xy came from malloc and becomes the triangulation's: no copy is made
   int threads;          // 0: one per processor; the result never depends on it
+  bool incremental;     // by insertion alone, as the book does, instead of by parts that are merged: slower
   uint32_t *vertex_of;  // n entries filled with the vertex of each point, or NULL. Of equal points the first is the vertex
   U32Vec *duplicates;   // the later ones of equal points are appended, ascending; or NULL
   uint32_t bad;         // on TRI_BUILD_NOT_FINITE the index of the point
@@ -152,8 +154,8 @@ typedef enum {
 // Collect the cavity of p that tri_locate found at (loc, e). No change to m; O(cavity). On TRI_ON_EDGE of a segment:
 // TRI_ON_SEGMENT.
 TriInsert tri_cavity(Tri *m, TriCavity *c, const double p[2], TriLoc loc, EdgeId e);
-// Collect the cavity of p that splits the segment or edge under e. p need not be exactly on it; it must see both end
-// points and both apexes, else TRI_BLOCKED.
+// Collect the cavity of p that splits the segment under e. p need not be exactly on it (it is a rounded point); it must see
+// the cavity on both sides, else TRI_BLOCKED. If e is no segment: as tri_locate and tri_cavity.
 TriInsert tri_cavity_split(Tri *m, TriCavity *c, const double p[2], EdgeId e);
 // Replace the cavity by the ball of its point: the new vertex, whose id is returned. c->tri tells the new triangles,
 // slots of old ones first; vertex p is vert[3*tri[k]+2]. Region labels, outside flags and segments are kept; the two

@@ -1,48 +1,19 @@
-// tri_build.c - the Delaunay triangulation of many points
+// tri_build.c - the Delaunay triangulation of many points: order, duplicates, parts, threads
 // SPDX-License-Identifier: MIT
 #include "base/base.h"
 
 #include "tri/tri_int.h"
 
+#include "base/thread.h"
 #include "geom/hilbert.h"
+#include "tri/tri_bulk.h"
 
-// Two ghosts for each edge of points on one line, order[0..n) being sorted along it: a chain that is glued to itself.
-static void build_chain(Tri *m, const uint32_t *order, size_t n)
-{
-  tri_reserve(m, m->nv, 2 * n);
-  for (size_t i = 0; i + 1 < n; i++) {
-    TriId s = tri__new(m), t = tri__new(m); // (a, b, inf) and (b, a, inf)
-    CHECK(s == 2 * i && t == s + 1);
-    VertId a = order[i], b = order[i + 1];
-    uint32_t v[6] = {a, b, TRI_INF, b, a, TRI_INF};
-    memcpy(m->vert + 3 * (size_t)s, v, sizeof v);
-    tri__link(m, 3 * s, 3 * t);
-    if (i > 0) { // b -> inf of the last pair with inf -> a of this one, on both sides
-      tri__link(m, 3 * (s - 2) + 1, 3 * s + 2);
-      tri__link(m, 3 * (t - 2) + 2, 3 * t + 1);
-    }
-  }
-  if (n < 2) return;
-  TriId last = m->nt - 2;
-  tri__link(m, 2, 3 + 1);                         // inf -> first, first -> inf
-  tri__link(m, 3 * last + 1, 3 * (last + 1) + 2); // last -> inf, inf -> last
-}
-
-// The first triangle, counterclockwise, with its three ghosts.
-static void build_first(Tri *m, VertId a, VertId b, VertId c)
-{
-  if (orient2d(tri_xy(m, a), tri_xy(m, b), tri_xy(m, c)) < 0) {
-    VertId t = b;
-    b = c;
-    c = t;
-  }
-  for (int i = 0; i < 4; i++) tri__new(m);
-  uint32_t v[12] = {a, b, c, b, a, TRI_INF, c, b, TRI_INF, a, c, TRI_INF};
-  memcpy(m->vert, v, sizeof v);
-  for (uint32_t i = 0; i < 3; i++) tri__link(m, i, 3 + 3 * i);
-  for (uint32_t i = 0; i < 3; i++) tri__link(m, 3 + 3 * i + 2, 3 + 3 * ((i + 1) % 3) + 1); // inf->dest, org->inf
-  m->last = 0;
-}
+// Parts up to this size are built by insertion, larger ones by merging (measured: docs/internals/delaunay.md).
+#ifdef STRESS
+enum { LEAF = 3 };
+#else
+enum { LEAF = 32 };
+#endif
 
 static bool find_bad(const double *xy, size_t n, uint32_t *bad)
 {
@@ -54,21 +25,27 @@ static bool find_bad(const double *xy, size_t n, uint32_t *bad)
   return false;
 }
 
-// Drop later ones of equal points from order, and note them.
-static size_t drop_duplicates(const double *xy, uint32_t *order, size_t n, TriBuild *how, uint32_t *first)
+// ---- points in order ----------------------------------------------------------------------------------------------
+
+typedef struct {
+  const double *xy;
+  const uint32_t *order;
+  double *to;
+  size_t n;
+} Gather;
+
+enum { GATHER_CHUNK = 1 << 16 };
+
+static void gather_chunk(void *ctx, size_t k, int worker)
 {
-  size_t k = 0;
-  for (size_t i = 0; i < n; i++) {
-    uint32_t v = order[i];
-    if (k > 0 && lex_compare(xy + 2 * (size_t)order[k - 1], xy + 2 * (size_t)v) == 0) {
-      if (first) first[v] = order[k - 1];
-      if (how->duplicates) vec_push(how->duplicates, v);
-    } else {
-      if (first) first[v] = v;
-      order[k++] = v;
-    }
+  Gather *g = ctx;
+  (void)worker;
+  size_t end = MIN(g->n, (k + 1) * GATHER_CHUNK);
+  for (size_t i = k * GATHER_CHUNK; i < end; i++) {
+    const double *p = g->xy + 2 * (size_t)g->order[i];
+    g->to[2 * i] = p[0];
+    g->to[2 * i + 1] = p[1];
   }
-  return k;
 }
 
 static int compare_u32(const void *a, const void *b)
@@ -79,50 +56,136 @@ static int compare_u32(const void *a, const void *b)
   return (x > y) - (x < y);
 }
 
-// Gather the points in the given order into an array of their own.
-static double *gather(const double *xy, const uint32_t *order, size_t n)
+// Points sorted so that equal ones are neighbours: drop the later ones, from the keys too. of[] gets the place in the order
+// without duplicates of each point. Returns how many are left.
+static size_t drop_duplicates(double *xy, uint32_t *order, uint32_t *key, size_t n, uint32_t *of, U32Vec *duplicates)
 {
-  double *to = mem_alloc(2 * n * sizeof *to);
-  for (size_t i = 0; i < n; i++) memcpy(to + 2 * i, xy + 2 * (size_t)order[i], 2 * sizeof *to);
-  return to;
+  size_t k = 0, old = duplicates ? duplicates->len : 0;
+  for (size_t i = 0; i < n; i++) {
+    bool again = k > 0 && xy[2 * k - 2] == xy[2 * i] && xy[2 * k - 1] == xy[2 * i + 1];
+    if (again && duplicates) vec_push(duplicates, order[i]);
+    if (!again) {
+      if (k != i) {
+        xy[2 * k] = xy[2 * i];
+        xy[2 * k + 1] = xy[2 * i + 1];
+        key[k] = key[i];
+      }
+      k++;
+    }
+    if (of) of[order[i]] = (uint32_t)k - 1;
+    if (!again) order[k - 1] = order[i];
+  }
+  if (duplicates && duplicates->len > old)
+    qsort(duplicates->data + old, duplicates->len - old, sizeof *duplicates->data, compare_u32);
+  return k;
 }
 
-static void build_in_order(Tri *m, uint32_t *order, size_t n)
+// ---- parts --------------------------------------------------------------------------------------------------------
+
+// The upper part of the tree of cells, the same for any number of threads. Its leaves are built one by one, then the halves of
+// each level are joined from the lowest up.
+enum { MAX_NODES = 512, MAX_DEPTH = 12, TASKS = 64, SMALL_TASK = 2048 };
+
+typedef struct {
+  BulkCell cell, half[2];
+  int child[2]; // -1: none
+  int depth;
+  EdgeId hull;
+} Node;
+
+typedef struct {
+  Bulk *worker;
+  Node node[MAX_NODES];
+  int n, todo[MAX_NODES];
+} Tree;
+
+static int add_node(Tree *t, const BulkCell *cell, int depth, size_t task)
 {
-  if (n < 2) {
-    m->dim = n == 0 ? 255 : 0;
-    return;
-  }
-  size_t k = 2;
-  while (k < n && orient2d_count(tri_xy(m, order[0]), tri_xy(m, order[1]), tri_xy(m, order[k]), &m->count) == 0) k++;
-  if (k == n) {
-    m->dim = 1;
-    // Along the line, points are ordered as by coordinates.
-    for (size_t i = 1; i < n; i++) { // the Hilbert order is nearly sorted or reversed in long runs
-      uint32_t v = order[i];
-      size_t j = i;
-      for (; j > 0 && lex_compare(tri_xy(m, order[j - 1]), tri_xy(m, v)) > 0; j--) order[j] = order[j - 1];
-      order[j] = v;
+  int k = t->n++;
+  Node *d = &t->node[k];
+  *d = (Node){.cell = *cell, .child = {-1, -1}, .depth = depth, .hull = NONE};
+  if (cell->hi - cell->lo <= task || depth == MAX_DEPTH || cell->bit < 0 || t->n + 2 * (MAX_DEPTH - depth) + 2 > MAX_NODES)
+    return k;
+  bulk_split(t->worker, cell, d->half);
+  for (int i = 0; i < 2; i++)
+    if (d->half[i].hi > d->half[i].lo) {
+      int c = add_node(t, &t->node[k].half[i], depth + 1, task);
+      t->node[k].child[i] = c;
     }
-    build_chain(m, order, n);
-    return;
+  return k;
+}
+
+static void build_node(void *ctx, size_t i, int worker)
+{
+  Tree *t = ctx;
+  Node *d = &t->node[t->todo[i]];
+  d->hull = bulk_build(&t->worker[worker], &d->cell);
+}
+
+static void merge_node(void *ctx, size_t i, int worker)
+{
+  Tree *t = ctx;
+  Node *d = &t->node[t->todo[i]];
+  const Node *p = d->child[0] < 0 ? NULL : &t->node[d->child[0]], *q = d->child[1] < 0 ? NULL : &t->node[d->child[1]];
+  d->hull = p && q ? bulk_merge(&t->worker[worker], &d->cell, d->half, p->hull, q->hull) : p ? p->hull : q->hull;
+}
+
+static bool is_task(const Node *d) { return d->child[0] < 0 && d->child[1] < 0; }
+
+static void build_tree(Tree *t, int threads)
+{
+  size_t n = 0;
+  for (int k = 0; k < t->n; k++) { // the largest first
+    if (!is_task(&t->node[k])) continue;
+    size_t j = n++;
+    uint32_t size = t->node[k].cell.hi - t->node[k].cell.lo;
+    for (; j > 0 && t->node[t->todo[j - 1]].cell.hi - t->node[t->todo[j - 1]].cell.lo < size; j--)
+      t->todo[j] = t->todo[j - 1];
+    t->todo[j] = k;
   }
-  m->dim = 2;
-  tri_reserve(m, m->nv, 2 * n);
-  build_first(m, order[0], order[1], order[k]);
-  TriCavity c = {0};
-  uint32_t nv = m->nv;
-  for (size_t i = 2; i < n; i++) {
-    if (i == k) continue;
-    EdgeId e;
-    const double *p = tri_xy(m, order[i]);
-    TriLoc loc = tri_locate(m, p, NONE, &e);
-    CHECK(tri_cavity(m, &c, p, loc, e) == TRI_INSERTED);
-    m->nv = order[i]; // the vertex is there already: let tri_commit take it
-    tri_commit(m, &c);
-    m->nv = nv;
+  thread_for(n, threads, build_node, t);
+  for (int depth = MAX_DEPTH; depth >= 0; depth--) {
+    n = 0;
+    for (int k = 0; k < t->n; k++)
+      if (t->node[k].depth == depth && !is_task(&t->node[k])) t->todo[n++] = k;
+    if (n) thread_for(n, threads, merge_node, t);
   }
-  tri_cavity_free(&c);
+}
+
+static void triangulate(Tri *m, const double *xy, const uint32_t *key, size_t n, int threads, uint32_t leaf)
+{
+  threads = n > SMALL_TASK ? thread_count(threads) : 1;
+  Bulk *b = mem_zalloc((size_t)threads * sizeof *b);
+  for (int i = 0; i < threads; i++) {
+    b[i] = (Bulk){.xy = xy, .key = key, .vert = m->vert, .twin = m->twin, .leaf = leaf};
+    bulk_begin(&b[i]);
+  }
+  Tree *t = mem_alloc(sizeof *t);
+  t->worker = b;
+  t->n = 0;
+  add_node(t, &(BulkCell){.lo = 0, .hi = (VertId)n, .bit = 31}, 0, leaf > n ? n : MAX(n / TASKS, (size_t)SMALL_TASK));
+  build_tree(t, threads);
+  free(t);
+  for (int i = 0; i < threads; i++) {
+    m->count.orient_slow += b[i].count.orient_slow;
+    m->count.incircle_slow += b[i].count.incircle_slow;
+    m->count.expansion += b[i].count.expansion;
+    m->count.multiprecision += b[i].count.multiprecision;
+    m->count.ties += b[i].count.ties;
+    m->walks += b[i].walks;
+    m->walk_steps += b[i].steps;
+    m->cavity_triangles += b[i].cavity;
+    bulk_end(&b[i]);
+  }
+  free(b);
+}
+
+static uint8_t dimension(const Tri *m)
+{
+  if (m->nt == 0) return m->nv == 0 ? 255 : 0;
+  for (TriId t = 0; t < m->nt; t++)
+    if (!tri_is_ghost(m, t)) return 2;
+  return 1;
 }
 
 TriBuildResult tri_build(Tri *m, double *xy, size_t n, TriBuild *how)
@@ -134,25 +197,34 @@ TriBuildResult tri_build(Tri *m, double *xy, size_t n, TriBuild *how)
     if (how->take) free(xy);
     return bad;
   }
-  uint32_t *order = mem_alloc(n * sizeof *order);
-  hilbert_order(xy, n, order);
-  size_t first_duplicate = how->duplicates ? how->duplicates->len : 0;
-  size_t nd = drop_duplicates(xy, order, n, how, how->vertex_of);
-  if (how->duplicates && how->duplicates->len > first_duplicate)
-    qsort(how->duplicates->data + first_duplicate, how->duplicates->len - first_duplicate, sizeof(uint32_t), compare_u32);
   tri_init(m);
+  uint32_t *order = mem_alloc(n * sizeof *order), *key = mem_alloc(n * sizeof *key);
+  hilbert_sort(xy, n, order, key, how->threads);
+  double *sorted = mem_alloc(2 * n * sizeof *sorted);
+  Gather g = {xy, order, sorted, n};
+  thread_for((n + GATHER_CHUNK - 1) / GATHER_CHUNK, how->threads, gather_chunk, &g);
+  if (how->reorder && how->take) free(xy);
+  size_t nd = drop_duplicates(sorted, order, key, n, how->vertex_of, how->duplicates);
   if (how->reorder) {
-    m->xy = gather(xy, order, nd);
+    free(order);
+    order = NULL;
+  }
+  size_t nt = nd > 1 ? 2 * nd - 2 : 0;
+  tri_reserve(m, 0, MAX(nt, (size_t)4));
+  m->nt = (uint32_t)nt;
+  memset(m->flag, 0, m->cap_t * sizeof *m->flag);
+  if (nd > 1) triangulate(m, sorted, key, nd, how->threads, how->incremental ? UINT32_MAX : LEAF);
+  free(key);
+  if (how->reorder) {
+    m->xy = sorted;
     m->nv = m->cap_v = (uint32_t)nd;
-    if (how->vertex_of) {
-      uint32_t *rank = mem_alloc(n * sizeof *rank);
-      for (size_t i = 0; i < nd; i++) rank[order[i]] = (uint32_t)i;
-      for (size_t i = 0; i < n; i++) how->vertex_of[i] = rank[how->vertex_of[i]];
-      free(rank);
-    }
-    for (size_t i = 0; i < nd; i++) order[i] = (uint32_t)i;
-    if (how->take) free(xy);
   } else {
+    for (size_t e = 0; e < 3 * nt; e++)
+      if (m->vert[e] != TRI_INF) m->vert[e] = order[m->vert[e]];
+    if (how->vertex_of)
+      for (size_t i = 0; i < n; i++) how->vertex_of[i] = order[how->vertex_of[i]];
+    free(order);
+    free(sorted);
     if (how->take) m->xy = xy;
     else {
       m->xy = mem_alloc(2 * n * sizeof *m->xy);
@@ -160,7 +232,7 @@ TriBuildResult tri_build(Tri *m, double *xy, size_t n, TriBuild *how)
     }
     m->nv = m->cap_v = (uint32_t)n;
   }
-  build_in_order(m, order, nd);
-  free(order);
+  m->dim = dimension(m);
+  m->last = nt ? 0 : NONE;
   return TRI_BUILD_GOOD;
 }

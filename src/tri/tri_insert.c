@@ -113,8 +113,13 @@ TriInsert tri_cavity_split(Tri *m, TriCavity *c, const double p[2], EdgeId e)
 {
   const double *a = tri_xy(m, tri_org(m, e)), *b = tri_xy(m, tri_dest(m, e));
   if (lex_compare(a, p) == 0 || lex_compare(b, p) == 0) return TRI_DUPLICATE;
+  if (!tri_is_segment(m, e)) { // nothing is to be kept: a point like any other
+    TriLoc loc = tri_locate(m, p, e, &e);
+    return tri_cavity(m, c, p, loc, e);
+  }
   int side = orient2d_count(a, b, p, &m->count);
   if (side < 0) e = m->twin[e];
+  if (side != 0 && !tri__conflict_point(m, tri_of(e), p)) return TRI_BLOCKED;
   begin(c, p);
   c->seg = tri_segment(m, e);
   if (side != 0 && !tri__conflict_point(m, tri_of(m->twin[e]), p)) {

@@ -125,7 +125,6 @@ TriLoc tri_locate(Tri *m, const double p[2], EdgeId start, EdgeId *out)
       loc = walk_straight(m, p, e, &e);
       break;
     }
-    m->walk_steps++;
     EdgeId f = NONE;
     EdgeId h = e;
     for (int i = 0; i < 3; i++, h = tri_next(h))
@@ -138,6 +137,7 @@ TriLoc tri_locate(Tri *m, const double p[2], EdgeId start, EdgeId *out)
       loc = within(m, p, &e);
       break;
     }
+    m->walk_steps++;
     e = from = m->twin[f];
     if (tri_apex(m, e) == TRI_INF) {
       loc = TRI_OUTSIDE;

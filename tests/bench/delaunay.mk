@@ -1,0 +1,24 @@
+# Timings of the triangulation kernel against CGAL's, both at -O3 -march=native.
+
+BENCH_TRI_SRC := $(wildcard src/base/*.c src/tri/*.c) src/base/number.cc src/geom/predicates.c src/geom/predicates_mp.c src/geom/hilbert.c
+BENCH_TRI_OBJ := $(patsubst src/%,build/bench/%.o,$(BENCH_TRI_SRC))
+BENCH_FLAGS := -Isrc -Itests/bench -D_GNU_SOURCE -ffp-contract=off -fno-math-errno -pthread -O3 -march=native -DNDEBUG -MMD -MP
+
+build/bench/%.c.o: src/%.c
+	@mkdir -p $(@D)
+	$(Q)$(CC) -std=c11 $(CWARN) $(BENCH_FLAGS) -c -o $@ $<
+
+build/bench/%.cc.o: src/%.cc
+	@mkdir -p $(@D)
+	$(Q)$(CXX) -std=c++17 $(WARN) $(BENCH_FLAGS) -c -o $@ $<
+
+build/bench/bench_%: tests/bench/bench_%.cc $(BENCH_TRI_OBJ)
+	@echo "CXX  $<"
+	$(Q)$(CXX) -std=c++17 $(BENCH_FLAGS) -frounding-math -o $@ $< $(BENCH_TRI_OBJ) -lmpfr -lgmp -lm
+
+.PHONY: bench-delaunay
+## bench-delaunay: Delaunay triangulation of the point sets against CGAL (N=points, ROUNDS=repetitions)
+bench-delaunay: build/bench/bench_delaunay
+	build/bench/bench_delaunay $(or $(N),1000000) $(or $(ROUNDS),5)
+
+-include $(BENCH_TRI_OBJ:.o=.d)
