@@ -31,15 +31,16 @@ static bool report_unknown_curve(Model *m, Loop *l, Diag *diag)
 
 static bool prepare_loop(Model *m, Loop *l, bool used, Diag *diag)
 {
-  if (l->sorted && loop__verify(m, l, diag)) return true;
-  if (!report_unknown_curve(m, l, diag)) return false;
-  if (!used) { // nothing rests on it: a warning is enough
+  if (!used) { // nothing rests on it: a warning is enough, and none if its curves were deleted with the surface
+    for (int i = 0; i < l->ncurve; i++)
+      if (!model_curve(m, l->curve[i])) return true;
     Diag *child = diag_child(diag);
     bool good = loop__verify(m, l, child);
     if (!good && diag_count(child)) diag_warning(diag, l->loc, "%s (no surface uses it)", diag_get(child, 0)->text);
     diag_free(child);
     return true;
   }
+  if (!report_unknown_curve(m, l, diag)) return false;
   return loop__verify(m, l, diag);
 }
 

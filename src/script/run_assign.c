@@ -234,6 +234,22 @@ static void assign_name(Script *s, const Node *n, uint32_t word, bool whole)
   script__give(s, values);
 }
 
+// Plugins are post-processing. Those that change meshes, or views that may give sizes, cannot be left out in silence.
+static void run_plugin(Script *s, const Node *n)
+{
+  static const char *const vital[] = {"Crack", "NewView", "Distance", "MathEval", "ModifyComponents", "SimplePartition",
+                                      "Scal2Vec", "Triangulate", "Smooth"};
+  const char *dot = strchr(n->kid[0]->text, '.');
+  int len = (int)(dot - n->kid[0]->text);
+  if (strcmp(dot, ".Run") != 0) return;
+  for (size_t i = 0; i < ARRAY_LEN(vital); i++) {
+    if ((size_t)len != strlen(vital[i]) || strncmp(n->kid[0]->text, vital[i], (size_t)len) != 0) continue;
+    script__error(s, n->loc, "Plugin(%s) is not supported", vital[i]);
+    return;
+  }
+  diag_warning(s->diag, n->loc, "Plugin(%.*s) is left out: there is no post-processing here", len, n->kid[0]->text);
+}
+
 void run_assign(Script *s, const Node *n)
 {
   const Node *target = n->kid[0], *name = target;
@@ -241,10 +257,7 @@ void run_assign(Script *s, const Node *n)
   case NODE_OPTION: run_option(s, n); return;
   case NODE_FIELD_OPTION: run_field_option(s, n); return;
   case NODE_PLUGIN_OPTION: {
-    const char *dot = strchr(target->text, '.');
-    if (dot && !strcmp(dot, ".Run"))
-      script__error(s, n->loc, "Plugin(%.*s) is not supported: there is no post-processing here",
-                    (int)(dot - target->text), target->text);
+    run_plugin(s, n);
     return;
   }
   case NODE_WHOLE:

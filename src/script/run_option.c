@@ -17,19 +17,25 @@ static bool split(const char *name, char category[64], const char **key)
 
 static const char *const categories[] = {"General", "Geometry", "Mesh", "Solver", "PostProcessing", "View", "Print"};
 
-static const OptRow *find(Script *s, const char *name, SrcLoc loc, bool report)
+typedef enum { QUIETLY, TO_READ, TO_SET } FindMode;
+
+static const OptRow *find(Script *s, const char *name, SrcLoc loc, FindMode report)
 {
   char category[64];
   const char *key = "";
   if (!split(name, category, &key)) {
-    if (report) script__error(s, loc, "'%s' is not an option", name);
+    if (report != QUIETLY) script__error(s, loc, "'%s' is not an option", name);
     return NULL;
   }
   const OptRow *row = options_find(category, key);
-  if (row || !report) return row;
+  if (row || report == QUIETLY) return row;
   for (size_t i = 0; i < ARRAY_LEN(categories); i++) {
     if (strcmp(category, categories[i]) != 0) continue;
     const char *near = options_nearest(category, key);
+    if (!near && report == TO_SET) { // hardly a misspelling: an option of another version
+      diag_warning(s->diag, loc, "unknown option '%s' is left out", name);
+      return NULL;
+    }
     script__error(s, loc, "unknown option '%s'%s%s%s%s%s", name, near ? "; did you mean '" : "", near ? category : "",
                   near ? "." : "", near ? near : "", near ? "'?" : "");
     return NULL;
@@ -42,14 +48,14 @@ static const OptRow *find(Script *s, const char *name, SrcLoc loc, bool report)
 
 bool option_is_text(Script *s, const Node *n)
 {
-  const OptRow *row = find(s, n->text, n->loc, false);
+  const OptRow *row = find(s, n->text, n->loc, QUIETLY);
   return row && row->kind == OPT_STR;
 }
 
 double option_number(Script *s, const Node *n)
 {
   if (n->kid[0]) eval_number(s, n->kid[0]);
-  const OptRow *row = find(s, n->text, n->loc, true);
+  const OptRow *row = find(s, n->text, n->loc, TO_READ);
   if (!row) return 0;
   double v;
   if (row->kind == OPT_STAT && s->host && s->host->statistic && s->host->statistic(s->host->ctx, row->key, &v)) return v;
@@ -66,7 +72,7 @@ double option_number(Script *s, const Node *n)
 
 const char *option_text(Script *s, const Node *n)
 {
-  const OptRow *row = find(s, n->text, n->loc, true);
+  const OptRow *row = find(s, n->text, n->loc, TO_READ);
   if (!row) return "";
   if (!strcmp(n->text, "General.FileName") && s->first_file) return s->first_file;
   return options_get_string(s->options, row);
@@ -86,7 +92,7 @@ void script__sync_settings(Script *s)
 
 bool script__set_option(Script *s, const char *name, SrcLoc loc, int op, double value, const char *text)
 {
-  const OptRow *row = find(s, name, loc, true);
+  const OptRow *row = find(s, name, loc, loc.line ? TO_SET : TO_READ);
   if (!row) return false;
   if (row->kind == OPT_IGNORED && text) return true;
   if (row->kind == OPT_STR) {
@@ -125,13 +131,11 @@ bool script__set_option(Script *s, const char *name, SrcLoc loc, int op, double 
 void run_option(Script *s, const Node *n)
 {
   const Node *target = n->kid[0], *value = n->kid[1];
-  if (target->kid[0]) eval_number(s, target->kid[0]);
   if (!strncmp(target->text, "View.", 5) || !strncmp(target->text, "PostProcessing.", 15) ||
       !strncmp(target->text, "Print.", 6) || !strncmp(target->text, "Solver.", 7) || strstr(target->text, ".Color") ||
-      strstr(target->text, "ColorTable")) { // display: the value is evaluated, then forgotten, unless it is an option we know
-    const OptRow *row = find(s, target->text, target->loc, false);
-    if (!row || !value || node_is_list(value)) return;
-  }
+      strstr(target->text, "ColorTable")) // display and post-processing: of no interest, nor is the value
+    return;
+  if (target->kid[0]) eval_number(s, target->kid[0]);
   if (!value) {
     script__set_option(s, target->text, target->loc, TOK_ADD_TO, n->op == TOK_INC ? 1 : -1, NULL);
     return;
@@ -143,7 +147,7 @@ void run_option(Script *s, const Node *n)
   }
   double v = 0;
   if (node_is_list(value)) { // {r, g, b} and the like
-    const OptRow *row = find(s, target->text, target->loc, true);
+    const OptRow *row = find(s, target->text, target->loc, TO_SET);
     if (row && row->kind != OPT_IGNORED) script__error(s, value->loc, "the option '%s' needs a number, not a list", target->text);
     return;
   }

@@ -30,5 +30,6 @@ Delete Field[1];                                 // expect error: 1
 Delete View[0];
 Plugin(Crack).Dimension = 1;
 Plugin(Crack).Run;                               // expect error: Plugin(Crack) is not supported
+Plugin(Isosurface).Run;                          // expect warning: Plugin(Isosurface) is left out
 Field[2];                                        // expect error: expected '=' and a type, or '.' and an option
 Printf("%g", Field[2].SizeMin);                  // expect: 0.1

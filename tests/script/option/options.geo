@@ -11,6 +11,7 @@ Mesh.Algorithm = 77;                             // expect error: Mesh.Algorithm
 Mesh.MeshSizeMax /= 0;                           // expect error: division by zero
 Mesh.Algorithm = "six";                          // expect error: the option 'Mesh.Algorithm' needs a number, not a text
 Mesh.Algorithm = {1, 2};                         // expect error: the option 'Mesh.Algorithm' needs a number, not a list
+Mesh.Reparam = 3;                                // expect warning: unknown option 'Mesh.Reparam' is left out
 x = Mesh.Nonsense;                               // expect error: unknown option 'Mesh.Nonsense'
 x = a.b.c;                                       // expect error: unknown option category 'a'
 Printf("%g", Mesh.NbNodes);                      // expect: 42
