@@ -80,7 +80,7 @@ static int find_option(const FieldType *t, const char *name)
 FieldSet *fields_new(void)
 {
   FieldSet *f = mem_zalloc(sizeof *f);
-  f->background_view = -1;
+  f->background_view = f->background = -1;
   return f;
 }
 
@@ -98,7 +98,7 @@ void fields_clear(FieldSet *f)
   for (size_t i = 0; i < f->field.len; i++) field_release(&f->field.data[i]);
   vec_clear(&f->field);
   vec_clear(&f->layer);
-  f->background = 0;
+  f->background = -1;
   f->background_view = -1;
 }
 
@@ -170,7 +170,7 @@ bool field_create(FieldSet *f, int id, const char *type, SrcLoc loc, Diag *diag)
 {
   int kind = find_type(type);
   if (kind < 0) return report_unknown_type(type, loc, diag), false;
-  if (id <= 0) return diag_error(diag, loc, "field id %d: ids begin at 1", id), false;
+  if (id < 0) return diag_error(diag, loc, "field id %d is negative", id), false;
   const Field *old = field__find(f, id);
   if (old) {
     diag_error(diag, loc, "field %d exists already", id);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A FieldSet only records and checks names and kinds; nothing is evaluated before size_new (size/size.h), so options may be set in
-// any order and refer to fields that come later. Field ids are > 0. Old spellings of types and options are accepted.
+// any order and refer to fields that come later. Field ids are >= 0. Old spellings of types and options are accepted.
 #ifndef SIZE_FIELD_H
 #define SIZE_FIELD_H
 
@@ -35,7 +35,7 @@ const char *field_get_string(const FieldSet *f, int id, const char *option);
 const double *field_get_list(const FieldSet *f, int id, const char *option, size_t *n); // owned by the set
 SrcLoc field_loc(const FieldSet *f, int id);
 
-// Background Field = id; the last one wins, 0 for none. Whether it exists is checked by size_new.
+// Background Field = id; the last one wins, -1 for none. Whether it exists is checked by size_new (a warning).
 void fields_set_background(FieldSet *f, int id, SrcLoc loc);
 int fields_background(const FieldSet *f);
 // BoundaryLayer Field = {ids}.

@@ -67,7 +67,9 @@ SizeField *size_new(const Model *model, const Options *o, const FieldSet *fields
   bool good = true;
   if (fields && fields->background_view >= 0)
     good = (s->root = size__compile_view(s, fields->background_view, fields->background_view_loc, diag)) != NONE;
-  else if (fields && fields->background != 0)
+  else if (fields && fields->background >= 0 && !field_exists(fields, fields->background))
+    diag_warning(diag, fields->background_loc, "there is no field %d: the background field is ignored", fields->background);
+  else if (fields && fields->background >= 0)
     good = (s->root = size__compile(s, fields->background, fields->background_loc, diag)) != NONE;
   if (s->lo > s->hi) {
     diag_error(diag, NO_LOC, "Mesh.MeshSizeMin (%g) is larger than Mesh.MeshSizeMax (%g)", s->lo, s->hi);
