@@ -1,0 +1,493 @@
+// boundary_layer.c - fields, chains and columns of boundary layers
+// SPDX-License-Identifier: MIT
+#include "base/base.h"
+
+#include "mesh/boundary_layer.h"
+
+#include <string.h>
+
+#include "mesh/boundary_layer_int.h"
+
+#define PI 3.14159265358979323846
+enum { MAX_LAYERS = 10000, MAX_RECONCILE = 60 };
+
+// ---- heights ---------------------------------------------------------------------------------------------------------
+size_t layer_heights(double size, double ratio, double thickness, double *height, size_t cap)
+{
+  size_t n = 0;
+  double d = size, step = size;
+  while (n < cap && d > 0 && d <= thickness * (1 + 1e-12)) {
+    height[n++] = d;
+    step *= ratio;
+    if (!(step > 0) || d + step == d) break;
+    d += step;
+  }
+  return n;
+}
+
+void layer_heights_beta(double thickness, double beta, size_t n, double *height)
+{
+  double a = (beta + 1) / (beta - 1);
+  for (size_t k = 1; k <= n; k++) {
+    double w = pow(a, 1 - (double)k / (double)n);
+    height[k - 1] = k == n ? thickness : thickness * ((beta + 1) - (beta - 1) * w) / (w + 1);
+  }
+}
+
+// ---- fields ------------------------------------------------------------------------------------------------------------
+static void copy_tags(IntVec *to, const FieldSet *fields, int id, const char *option)
+{
+  size_t n;
+  const double *v = field_get_list(fields, id, option, &n);
+  for (size_t i = 0; i < n; i++) vec_push(to, abs((int)v[i]));
+}
+
+static bool contains(const IntVec *v, int tag)
+{
+  for (size_t i = 0; i < v->len; i++)
+    if (v->data[i] == tag) return true;
+  return false;
+}
+
+static bool read_field(LayerField *f, const FieldSet *fields, int id, Diag *diag)
+{
+  *f = (LayerField){0};
+  const char *type = field_type(fields, id);
+  if (!type || strcmp(type, "BoundaryLayer") != 0) {
+    diag_error(diag, NO_LOC, "BoundaryLayer Field: field %d %s", id, type ? "is not of type BoundaryLayer" : "does not exist");
+    return false;
+  }
+  copy_tags(&f->curves, fields, id, "CurvesList");
+  copy_tags(&f->fans, fields, id, "FanPointsList");
+  copy_tags(&f->excluded, fields, id, "ExcludedSurfacesList");
+  size_t n;
+  const double *size = field_get_list(fields, id, "FanPointsSizesList", &n);
+  for (size_t i = 0; i < n; i++) vec_push(&f->fan_size, size[i]);
+  f->quads = field_get_number(fields, id, "Quads") != 0;
+  double thickness = field_get_number(fields, id, "Thickness"), first = field_get_number(fields, id, "Size");
+  double ratio = field_get_number(fields, id, "Ratio"), beta = field_get_number(fields, id, "Beta");
+  if (field_get_number(fields, id, "BetaLaw") != 0) {
+    double layers = field_get_number(fields, id, "NbLayers");
+    if (!(beta > 1) || !(layers >= 1) || layers > MAX_LAYERS) {
+      diag_error(diag, field_loc(fields, id), "field %d: Beta must be above 1 and NbLayers between 1 and %d", id, MAX_LAYERS);
+      return false;
+    }
+    vec_resize(&f->height, (size_t)layers);
+    layer_heights_beta(thickness, beta, f->height.len, f->height.data);
+  } else {
+    vec_resize(&f->height, MAX_LAYERS);
+    vec_resize(&f->height, layer_heights(first, ratio, thickness, f->height.data, MAX_LAYERS));
+  }
+  if (!f->height.len)
+    diag_warning(diag, field_loc(fields, id), "field %d makes no layer: its first height, %g, is above its thickness, %g", id,
+                 first, thickness);
+  return true;
+}
+
+static void field_free(LayerField *f)
+{
+  vec_free(&f->height);
+  vec_free(&f->curves);
+  vec_free(&f->fans);
+  vec_free(&f->excluded);
+  vec_free(&f->fan_size);
+}
+
+// ---- loops as runs of segments -------------------------------------------------------------------------------------------
+typedef struct {
+  uint32_t curve, from, to; // nodes `from` and `to` of the curve's mesh
+  Vec2 a, b;
+  const LayerField *field;  // or NULL
+} Seg;
+typedef Vec(Seg) SegVec;
+
+typedef struct {
+  const Model *m;
+  const Options *opt;
+  BoundaryLayers *b;
+  Mesh1d *curves;
+  Diag *diag;
+} Planner;
+
+static const LayerField *field_of(const Planner *p, const Face *f, int curve)
+{
+  for (size_t i = 0; i < p->b->nfield; i++) {
+    const LayerField *lf = &p->b->field[i];
+    if (lf->height.len && contains(&lf->curves, curve) && !contains(&lf->excluded, f->tag)) return lf;
+  }
+  return NULL;
+}
+
+static void add_curve_segments(const Planner *p, const Face *f, int tag, SegVec *seg)
+{
+  uint32_t k = mesh1d_index(p->curves, tag);
+  const CurveMesh *cm = &p->curves->curve[k];
+  const LayerField *lf = field_of(p, f, abs(tag));
+  for (uint32_t i = 0; i + 1 < cm->n; i++) {
+    uint32_t from = tag > 0 ? i : cm->n - 1 - i, to = tag > 0 ? i + 1 : cm->n - 2 - i;
+    vec_push(seg, ((Seg){k, from, to, face_to_plane(f, cm->p[from]), face_to_plane(f, cm->p[to]), lf}));
+  }
+}
+
+static double area_of(const SegVec *seg)
+{
+  double sum = 0;
+  for (size_t i = 0; i < seg->len; i++) sum += vec2_cross(vec2_sub(seg->data[i].a, seg->data[0].a), vec2_sub(seg->data[i].b, seg->data[0].a));
+  return sum;
+}
+
+static void turn_round(SegVec *seg)
+{
+  for (size_t i = 0; i < seg->len; i++) {
+    Seg *s = &seg->data[i];
+    *s = (Seg){s->curve, s->to, s->from, s->b, s->a, s->field};
+  }
+  for (size_t i = 0; i < seg->len / 2; i++) {
+    Seg swap = seg->data[i];
+    seg->data[i] = seg->data[seg->len - 1 - i];
+    seg->data[seg->len - 1 - i] = swap;
+  }
+}
+
+// ---- columns ---------------------------------------------------------------------------------------------------------
+static Vec2 unit(Vec2 v)
+{
+  double l = vec2_length(v);
+  return l > 0 ? vec2_scale(1 / l, v) : v;
+}
+
+static Vec2 left_of(Vec2 d) { return (Vec2){-d.y, d.x}; }
+static Vec2 rotated(Vec2 v, double angle)
+{
+  double c = cos(angle), s = sin(angle);
+  return (Vec2){c * v.x - s * v.y, s * v.x + c * v.y};
+}
+
+static int point_tag(const Planner *p, const Seg *s)
+{
+  const Curve *c = model_curve_at(p->m, s->curve);
+  if (s->from == 0) return c->begin;
+  return s->from + 1 == p->curves->curve[s->curve].n ? c->end : 0;
+}
+
+// Cells of a fan that turns by `angle` at the beginning of segment s: 0 if there is to be none.
+static int fan_cells(const Planner *p, const Seg *s, double angle)
+{
+  if (angle >= 0) return 0;
+  int tag = point_tag(p, s);
+  for (size_t i = 0; i < s->field->fans.len; i++)
+    if (tag && s->field->fans.data[i] == tag) {
+      double n = i < s->field->fan_size.len ? s->field->fan_size.data[i] : p->opt->Mesh_BoundaryLayerFanElements * -angle / PI;
+      return n < 1 ? 1 : n > 1000 ? 1000 : (int)(n + 0.5);
+    }
+  if (angle > -150 * PI / 180) return 0;
+  return (int)(p->opt->Mesh_BoundaryLayerFanElements * -angle / PI + 0.5) + 1;
+}
+
+static void push_column(Chain *c, const Seg *s, bool at_end, Vec2 dir)
+{
+  vec_push(&c->col, ((Column){.curve = s->curve, .index = at_end ? s->to : s->from, .base = at_end ? s->b : s->a, .dir = dir,
+                              .s = 1, .on = NONE}));
+}
+
+// Columns at the node between two layered segments.
+static void add_inner(const Planner *p, Chain *c, const Seg *before, const Seg *s)
+{
+  Vec2 d = unit(vec2_sub(before->b, before->a)), e = unit(vec2_sub(s->b, s->a));
+  double angle = atan2(vec2_cross(d, e), vec2_dot(d, e));
+  if (angle > PI - 1e-9) angle = -PI; // the tip of a slit
+  int fan = fan_cells(p, s, angle);
+  if (fan) {
+    for (int k = 0; k <= fan; k++) push_column(c, s, false, k == fan ? left_of(e) : rotated(left_of(d), angle * k / fan));
+    return;
+  }
+  Vec2 mean = unit(vec2_add(left_of(d), left_of(e)));
+  double share = fmax(vec2_dot(mean, left_of(d)), 0.05);
+  push_column(c, s, false, vec2_scale(1 / share, mean));
+}
+
+static bool may_change(const Planner *p, const Curve *c)
+{
+  if (c->transfinite || c->periodic_master || c->copy_of || c->layers.n || c->compound > 0) return false;
+  for (size_t k = 0; k < model_curves(p->m); k++) {
+    const Curve *o = model_curve_at(p->m, k);
+    if (abs(o->periodic_master) == c->tag || abs(o->copy_of) == c->tag) return false;
+  }
+  return true;
+}
+
+// The end column of an open chain at node q, where the layered segment leaves in direction `along` (into the chain) with the face
+// on the side of `normal`; `next` is the boundary segment that goes on from there, in direction `away` from q.
+static void set_end(const Planner *p, Chain *c, Column *k, Vec2 along, Vec2 normal, const Seg *next, Vec2 away, uint32_t at)
+{
+  double angle = atan2(vec2_dot(away, normal), vec2_dot(away, along)); // inside the face, from the layer to what goes on
+  if (angle < -0.02) angle += 2 * PI;
+  const Curve *curve = model_curve_at(p->m, next->curve);
+  const double deg = PI / 180;
+  if (!next->field && angle > 25 * deg && angle < 155 * deg && curve_is_straight(p->m, curve) && may_change(p, curve)) {
+    k->on = next->curve;
+    k->on_end = at != 0;
+    k->dir = vec2_scale(1 / sin(angle), away);
+    double room = 0.4 * curve_length(p->m, curve);
+    k->s = fmin(1, room / (chain__thickness(c) * vec2_length(k->dir)));
+  } else if (angle >= 150 * deg) {
+    k->open = true;
+    k->dir = normal;
+  } else {
+    k->collapsed = true;
+    k->s = 0;
+  }
+}
+
+static void finish_open(const Planner *p, Chain *c, const SegVec *seg, size_t first, size_t last)
+{
+  size_t n = seg->len;
+  const Seg *s = &seg->data[first], *e = &seg->data[last % n];
+  const Seg *before = &seg->data[(first + n - 1) % n], *after = &seg->data[(last + 1) % n];
+  Vec2 d = unit(vec2_sub(s->b, s->a)), g = unit(vec2_sub(e->b, e->a));
+  set_end(p, c, &c->col.data[0], d, left_of(d), before, unit(vec2_sub(before->a, before->b)), before->to);
+  set_end(p, c, &vec_last(&c->col), vec2_scale(-1, g), left_of(g), after, unit(vec2_sub(after->b, after->a)), after->from);
+}
+
+// Chains of one loop; segment i of seg goes to segment i + 1.
+static void add_chains(const Planner *p, FaceLayers *f, const SegVec *seg)
+{
+  size_t n = seg->len, start = n;
+  for (size_t i = 0; i < n && start == n; i++)
+    if (seg->data[i].field && seg->data[(i + n - 1) % n].field != seg->data[i].field) start = i;
+  if (start == n) { // one field or none all round
+    if (!n || !seg->data[0].field) return;
+    Chain c = {.closed = true, .field = seg->data[0].field};
+    for (size_t i = 0; i < n; i++) add_inner(p, &c, &seg->data[(i + n - 1) % n], &seg->data[i]);
+    vec_push(&f->chain, c);
+    return;
+  }
+  for (size_t i = start; i < start + n;) {
+    const LayerField *lf = seg->data[i % n].field;
+    size_t j = i;
+    while (j < start + n && seg->data[j % n].field == lf) j++;
+    if (lf) {
+      Chain c = {.field = lf};
+      push_column(&c, &seg->data[i % n], false, (Vec2){0, 0});
+      for (size_t k = i + 1; k < j; k++) add_inner(p, &c, &seg->data[(k - 1) % n], &seg->data[k % n]);
+      push_column(&c, &seg->data[(j - 1) % n], true, (Vec2){0, 0});
+      finish_open(p, &c, seg, i % n, j - 1);
+      vec_push(&f->chain, c);
+    }
+    i = j;
+  }
+}
+
+static void add_walls(FaceLayers *f, const SegVec *seg)
+{
+  for (size_t i = 0; i < seg->len; i++) {
+    const Seg *s = &seg->data[i];
+    vec_push(&f->wall, ((Wall){s->a, s->b, s->curve, s->field != NULL}));
+  }
+}
+
+static void add_embedded(const Planner *p, FaceLayers *f, const Face *face)
+{
+  SegVec seg = {0};
+  for (size_t i = 0; i < face->embedded_curves.len; i++) add_curve_segments(p, face, face->embedded_curves.data[i], &seg);
+  for (size_t i = 0; i < seg.len; i++) {
+    if (seg.data[i].field)
+      diag_warning(p->diag, face->loc, "curve %d is embedded in surface %d: embedded curves get no layers",
+                   model_curve_at(p->m, seg.data[i].curve)->tag, face->tag);
+    uint32_t curve = seg.data[i].curve;
+    while (i + 1 < seg.len && seg.data[i + 1].curve == curve) i++;
+  }
+  for (size_t i = 0; i < seg.len; i++) seg.data[i].field = NULL;
+  add_walls(f, &seg);
+  for (size_t i = 0; i < face->embedded_points.len; i++) {
+    const Point *q = model_point(p->m, face->embedded_points.data[i]);
+    if (!q) continue;
+    Vec2 at = face_to_plane(face, q->xyz);
+    vec_push(&f->wall, ((Wall){at, at, NONE, false}));
+  }
+  vec_free(&seg);
+}
+
+static void plan_face(const Planner *p, FaceLayers *f, const Face *face)
+{
+  IntVec curve = {0}, start = {0};
+  face_boundary(p->m, face, &curve, &start);
+  for (size_t l = 0; l + 1 < start.len; l++) {
+    SegVec seg = {0};
+    for (int i = start.data[l]; i < start.data[l + 1]; i++) add_curve_segments(p, face, curve.data[i], &seg);
+    double area = area_of(&seg);
+    if (l == 0 ? area < 0 : area > 0) turn_round(&seg);
+    add_chains(p, f, &seg);
+    add_walls(f, &seg);
+    vec_free(&seg);
+  }
+  add_embedded(p, f, face);
+  vec_free(&curve);
+  vec_free(&start);
+  f->quads = face->recombine || p->opt->Mesh_RecombineAll;
+}
+
+static bool face_has_layers(const Planner *p, const Face *face)
+{
+  if (!face->planar || face->transfinite || (face->extruded_curve && face->layers.n)) return false;
+  IntVec curve = {0}, start = {0};
+  bool found = false;
+  face_boundary(p->m, face, &curve, &start);
+  for (size_t i = 0; i < curve.len && !found; i++) found = field_of(p, face, abs(curve.data[i])) != NULL;
+  vec_free(&curve);
+  vec_free(&start);
+  return found;
+}
+
+// ---- ends on curves: one height for all faces ------------------------------------------------------------------------------
+typedef struct {
+  double s;
+  const LayerField *field;
+  double length; // of the column at s = 1
+} End;
+
+// Ends of a curve by 2 * curve + (at its end).
+static bool agree(const Planner *p, End *end)
+{
+  bool changed = false;
+  for (size_t i = 0; i < p->b->nface; i++)
+    for (size_t j = 0; j < p->b->face[i].chain.len; j++) {
+      Chain *c = &p->b->face[i].chain.data[j];
+      for (size_t k = 0; k < c->col.len; k++) {
+        Column *col = &c->col.data[k];
+        if (col->on == NONE || c->dropped) continue;
+        End *e = &end[2 * col->on + col->on_end];
+        if (!e->field) *e = (End){col->s, c->field, vec2_length(col->dir)};
+        double length = vec2_length(col->dir);
+        if (e->field != c->field || fabs(length - e->length) > 1e-9 * length) { // two laws on one curve: the second gives way
+          *col = (Column){.curve = col->curve, .index = col->index, .base = col->base, .dir = col->dir, .on = NONE, .collapsed = true};
+          changed = true;
+          continue;
+        }
+        if (col->s > e->s) changed = true;
+        e->s = col->s = fmin(col->s, e->s);
+      }
+    }
+  return changed;
+}
+
+static void settle_all(const Planner *p, End *end)
+{
+  for (size_t i = 0; i < p->b->nface; i++) layers__find_room(&p->b->face[i]);
+  for (int round = 0; round < MAX_RECONCILE; round++) {
+    for (size_t i = 0; i < p->b->nface; i++) layers__settle(&p->b->face[i]);
+    bool changed = agree(p, end);
+    changed = agree(p, end) || changed; // those met before the least one
+    if (!changed) return;
+  }
+  for (size_t i = 0; i < p->b->nface; i++)
+    for (size_t j = 0; j < p->b->face[i].chain.len; j++) p->b->face[i].chain.data[j].dropped = true;
+}
+
+// The nodes of a curve with layers at one or both ends: theirs, and of the others those that are not too near to them.
+static void replace_nodes(const Planner *p, uint32_t k, const End *at_begin, const End *at_end)
+{
+  const CurveMesh *cm = &p->curves->curve[k];
+  const Curve *c = model_curve_at(p->m, k);
+  double length = curve_length(p->m, c);
+  DoubleVec s = {0};
+  vec_push(&s, 0);
+  const End *end[2] = {at_begin, at_end};
+  double top[2] = {0, 0};
+  for (int i = 0; i < 2; i++)
+    if (end[i]->field && end[i]->s > 0) top[i] = end[i]->s * end[i]->length * vec_last(&end[i]->field->height);
+  if (top[0] > 0)
+    for (size_t i = 0; i < end[0]->field->height.len; i++)
+      vec_push(&s, end[0]->s * end[0]->length * end[0]->field->height.data[i] / length);
+  double lo = top[0] / length, hi = 1 - top[1] / length;
+  for (uint32_t i = 1; i + 1 < cm->n; i++) {
+    double at = vec3_distance(cm->p[0], cm->p[i]) / length;
+    double before = at - vec3_distance(cm->p[0], cm->p[i - 1]) / length, after = vec3_distance(cm->p[0], cm->p[i + 1]) / length - at;
+    if (at > lo + 0.5 * before && at < hi - 0.5 * after) vec_push(&s, at);
+  }
+  if (top[1] > 0)
+    for (size_t i = end[1]->field->height.len; i-- > 0;)
+      vec_push(&s, 1 - end[1]->s * end[1]->length * end[1]->field->height.data[i] / length);
+  vec_push(&s, 1);
+  double *u = mem_alloc(s.len * sizeof *u);
+  curve_at_fractions(p->m, c, s.data, (uint32_t)s.len, u);
+  u[0] = 0;
+  u[s.len - 1] = 1;
+  mesh1d_set(p->curves, k, u, (uint32_t)s.len);
+  free(u);
+  vec_free(&s);
+}
+
+static void put_ends_on_curves(const Planner *p, End *end)
+{
+  size_t n = model_curves(p->m);
+  for (size_t k = 0; k < 2 * n; k++) end[k].field = NULL;
+  for (size_t i = 0; i < p->b->nface; i++)
+    for (size_t j = 0; j < p->b->face[i].chain.len; j++) {
+      Chain *c = &p->b->face[i].chain.data[j];
+      for (size_t k = 0; k < c->col.len && !c->dropped; k++) {
+        Column *col = &c->col.data[k];
+        if (col->on != NONE) end[2 * col->on + col->on_end] = (End){col->s, c->field, vec2_length(col->dir)};
+      }
+    }
+  for (uint32_t k = 0; k < n; k++)
+    if (end[2 * k].field || end[2 * k + 1].field) replace_nodes(p, k, &end[2 * k], &end[2 * k + 1]);
+}
+
+// ---- life --------------------------------------------------------------------------------------------------------------
+static void report(const Planner *p)
+{
+  for (size_t i = 0; i < p->b->nface; i++) {
+    const FaceLayers *f = &p->b->face[i];
+    const Face *face = model_face_at(p->m, f->face);
+    size_t dropped = 0, shortened = 0, all = 0;
+    for (size_t j = 0; j < f->chain.len; j++) {
+      const Chain *c = &f->chain.data[j];
+      dropped += c->dropped;
+      for (size_t k = 0; k < c->col.len; k++) shortened += !c->col.data[k].collapsed && c->col.data[k].s < 0.99;
+      all += c->col.len;
+    }
+    if (dropped) diag_warning(p->diag, face->loc, "surface %d has no room for its boundary layers: it gets none", face->tag);
+    log_debug(p->diag, "surface %d: %zu columns of boundary layers, %zu shortened", face->tag, all, shortened);
+  }
+}
+
+BoundaryLayers *boundary_layers_new(const Model *m, const FieldSet *fields, const Options *opt, Mesh1d *curves, Diag *diag)
+{
+  const int *id;
+  size_t n = fields ? fields_boundary_layers(fields, &id) : 0;
+  if (!n) return NULL;
+  BoundaryLayers *b = mem_zalloc(sizeof *b);
+  Planner p = {m, opt, b, curves, diag};
+  b->field = mem_alloc(n * sizeof *b->field);
+  for (size_t i = 0; i < n; i++)
+    if (read_field(&b->field[b->nfield], fields, id[i], diag)) b->nfield++;
+  b->face = mem_alloc(model_faces(m) * sizeof *b->face);
+  for (size_t k = 0; k < model_faces(m); k++) {
+    const Face *face = model_face_at(m, k);
+    if (!face_has_layers(&p, face)) continue;
+    FaceLayers *f = &b->face[b->nface++];
+    *f = (FaceLayers){.face = k};
+    plan_face(&p, f, face);
+  }
+  End *end = mem_zalloc(2 * model_curves(m) * sizeof *end);
+  settle_all(&p, end);
+  put_ends_on_curves(&p, end);
+  free(end);
+  report(&p);
+  return b;
+}
+
+void boundary_layers_free(BoundaryLayers *b)
+{
+  if (!b) return;
+  for (size_t i = 0; i < b->nfield; i++) field_free(&b->field[i]);
+  for (size_t i = 0; i < b->nface; i++) {
+    for (size_t j = 0; j < b->face[i].chain.len; j++) vec_free(&b->face[i].chain.data[j].col);
+    vec_free(&b->face[i].chain);
+    vec_free(&b->face[i].wall);
+  }
+  free(b->field);
+  free(b->face);
+  free(b);
+}

@@ -1,0 +1,225 @@
+// boundary_layer_fill.c - from planned columns to nodes, cells and the graph of the rest of the face
+// SPDX-License-Identifier: MIT
+#include "base/base.h"
+
+#include "mesh/boundary_layer_int.h"
+
+// Elements go to growing arrays that become those of the face.
+typedef struct {
+  const BoundaryLayers *b;
+  const FaceLayers *f;
+  const Mesh1d *curves;
+  const EdgeNodes *en;
+  const Face *face;
+  FaceMesh *out;
+  Vec(Vec3) own;
+  DoubleVec own_xy; // in the plane
+  U32Vec tri, quad;
+} Filler;
+
+static const FaceLayers *layers_of(const BoundaryLayers *b, size_t k)
+{
+  for (size_t i = 0; b && i < b->nface; i++)
+    if (b->face[i].face == k) return &b->face[i];
+  return NULL;
+}
+
+static bool alive(const FaceLayers *f)
+{
+  for (size_t j = 0; j < f->chain.len; j++)
+    if (!f->chain.data[j].dropped) return true;
+  return false;
+}
+
+bool boundary_layers_on(const BoundaryLayers *b, size_t k)
+{
+  const FaceLayers *f = layers_of(b, k);
+  return f && alive(f);
+}
+
+// ---- nodes -------------------------------------------------------------------------------------------------------------
+static uint32_t node_on_curve(const Filler *f, uint32_t curve, bool from_end, size_t i)
+{
+  size_t n = f->curves->curve[curve].n;
+  return edge_nodes_at(f->en, f->curves->model, f->curves, curve, from_end ? n - 1 - i : i);
+}
+
+// Ids of the nodes of a column: n + 1 of them from its base to its top.
+static void column_nodes(Filler *f, const Chain *c, const Column *k, uint32_t *id)
+{
+  size_t n = c->field->height.len;
+  id[0] = edge_nodes_at(f->en, f->curves->model, f->curves, k->curve, k->index);
+  for (size_t i = 1; i <= n; i++) {
+    if (k->collapsed || !(k->s > 0)) {
+      id[i] = id[0];
+    } else if (k->on != NONE) {
+      id[i] = node_on_curve(f, k->on, k->on_end, i);
+    } else {
+      Vec2 q = vec2_add(k->base, vec2_scale(k->s * c->field->height.data[i - 1], k->dir));
+      id[i] = (uint32_t)(f->en->n + f->own.len);
+      vec_push(&f->own, face_from_plane(f->face, q));
+      vec_push(&f->own_xy, q.x);
+      vec_push(&f->own_xy, q.y);
+    }
+  }
+}
+
+// ---- cells --------------------------------------------------------------------------------------------------------------
+static Vec3 place(const Filler *f, uint32_t id) { return id < f->en->n ? f->en->xyz[id] : f->own.data[id - f->en->n]; }
+
+static void push_triangle(Filler *f, uint32_t a, uint32_t b, uint32_t c)
+{
+  vec_push(&f->tri, a);
+  vec_push(&f->tri, b);
+  vec_push(&f->tri, c);
+}
+
+static void push_cell(Filler *f, const uint32_t v[4], bool quads)
+{
+  uint32_t p[4];
+  int n = 0;
+  for (int i = 0; i < 4; i++)
+    if (v[i] != v[(i + 1) % 4]) p[n++] = v[i];
+  if (n == 3) push_triangle(f, p[0], p[1], p[2]);
+  if (n != 4) return;
+  if (quads) {
+    for (int i = 0; i < 4; i++) vec_push(&f->quad, p[i]);
+    return;
+  }
+  // The shorter diagonal; the one from the first corner of equal ones.
+  if (vec3_distance(place(f, p[0]), place(f, p[2])) <= vec3_distance(place(f, p[1]), place(f, p[3]))) {
+    push_triangle(f, p[0], p[1], p[2]);
+    push_triangle(f, p[0], p[2], p[3]);
+  } else {
+    push_triangle(f, p[0], p[1], p[3]);
+    push_triangle(f, p[1], p[2], p[3]);
+  }
+}
+
+static void fill_chain(Filler *f, const Chain *c, FaceGraph *g);
+
+// ---- the rest of the face ------------------------------------------------------------------------------------------------
+static uint32_t graph_vertex(FaceGraph *g, const Filler *f, uint32_t node)
+{
+  bool added;
+  uint32_t *slot = map_slot(&g->local, node, (uint32_t)g->node.len, &added);
+  if (added) {
+    Vec2 q;
+    if (node < f->en->n)
+      q = face_to_plane(f->face, f->en->xyz[node]);
+    else
+      q = (Vec2){f->own_xy.data[2 * (node - f->en->n)], f->own_xy.data[2 * (node - f->en->n) + 1]};
+    vec_push(&g->node, node);
+    vec_push(&g->xy, q.x);
+    vec_push(&g->xy, q.y);
+  }
+  return *slot;
+}
+
+static void add_segment(FaceGraph *g, const Filler *f, uint32_t a, uint32_t b, int curve, bool embedded)
+{
+  if (a == b) return;
+  uint32_t va = graph_vertex(g, f, a), vb = graph_vertex(g, f, b);
+  vec_push(&g->ends, va);
+  vec_push(&g->ends, vb);
+  vec_push(&g->curve, curve);
+  vec_push(&g->embedded, embedded);
+}
+
+static void fill_chain(Filler *f, const Chain *c, FaceGraph *g)
+{
+  size_t n = c->field->height.len, ncol = c->col.len;
+  uint32_t *id = mem_alloc(ncol * (n + 1) * sizeof *id);
+  for (size_t i = 0; i < ncol; i++) column_nodes(f, c, &c->col.data[i], id + i * (n + 1));
+  for (size_t i = 0; i < chain__cells(c); i++) {
+    const uint32_t *a = id + i * (n + 1), *b = id + (i + 1) % ncol * (n + 1);
+    for (size_t k = 0; k < n; k++) {
+      const uint32_t v[4] = {a[k], b[k], b[k + 1], a[k + 1]};
+      push_cell(f, v, c->field->quads || f->f->quads);
+    }
+    int tag = model_curve_at(f->curves->model, c->col.data[i].curve)->tag;
+    add_segment(g, f, a[n], b[n], tag, false);
+  }
+  for (size_t i = 0; i < ncol; i++) {
+    if (!c->col.data[i].open) continue;
+    const uint32_t *a = id + i * (n + 1);
+    int tag = model_curve_at(f->curves->model, c->col.data[i].curve)->tag;
+    for (size_t k = 0; k < n; k++) add_segment(g, f, a[k], a[k + 1], tag, false);
+  }
+  free(id);
+}
+
+// Nodes at the two ends of each curve that columns have taken.
+typedef struct {
+  uint32_t *skip; // per curve and end: edges to leave out; NONE - 1 at the begin: all of them
+} Taken;
+#define ALL (NONE - 1)
+
+static void add_curve(FaceGraph *g, const Filler *f, const Taken *t, int tag, bool embedded)
+{
+  uint32_t k = mesh1d_index(f->curves, tag);
+  size_t n = f->curves->curve[k].n;
+  if (n < 2 || t->skip[2 * k] == ALL) return;
+  for (size_t i = t->skip[2 * k]; i + 1 + t->skip[2 * k + 1] < n; i++)
+    add_segment(g, f, node_on_curve(f, k, false, i), node_on_curve(f, k, false, i + 1), abs(tag), embedded);
+}
+
+static int compare_abs(const void *a, const void *b)
+{
+  int x = abs(*(const int *)a), y = abs(*(const int *)b);
+  return (x > y) - (x < y);
+}
+
+static void add_rest(FaceGraph *g, const Filler *f, const Taken *t)
+{
+  const Model *m = f->curves->model;
+  IntVec curve = {0}, start = {0};
+  face_boundary(m, f->face, &curve, &start);
+  qsort(curve.data, curve.len, sizeof *curve.data, compare_abs);
+  for (size_t i = 0, j; i < curve.len; i = j) {
+    for (j = i; j < curve.len && abs(curve.data[j]) == abs(curve.data[i]);) j++;
+    add_curve(g, f, t, curve.data[i], (j - i) % 2 == 0);
+  }
+  for (size_t i = 0; i < f->face->embedded_curves.len; i++) {
+    int tag = f->face->embedded_curves.data[i];
+    if (!curve.len || !bsearch(&tag, curve.data, curve.len, sizeof tag, compare_abs)) add_curve(g, f, t, tag, true);
+  }
+  for (size_t i = 0; i < f->face->embedded_points.len; i++) {
+    uint32_t node = edge_nodes_point(m, f->face->embedded_points.data[i]);
+    if (node != NONE) graph_vertex(g, f, node);
+  }
+  vec_free(&curve);
+  vec_free(&start);
+}
+
+static void mark_taken(const Filler *f, Taken *t)
+{
+  t->skip = mem_zalloc(2 * (f->curves->ncurve + 1) * sizeof *t->skip);
+  for (size_t j = 0; j < f->f->chain.len; j++) {
+    const Chain *c = &f->f->chain.data[j];
+    if (c->dropped) continue;
+    for (size_t i = 0; i < c->col.len; i++) {
+      const Column *k = &c->col.data[i];
+      t->skip[2 * k->curve] = ALL;
+      if (k->on != NONE && k->s > 0) t->skip[2 * k->on + k->on_end] = (uint32_t)c->field->height.len;
+    }
+  }
+}
+
+void boundary_layers_fill(const BoundaryLayers *b, size_t k, const Mesh1d *curves, const EdgeNodes *en, FaceMesh *out, FaceGraph *g)
+{
+  Filler f = {.b = b, .f = layers_of(b, k), .curves = curves, .en = en, .face = model_face_at(curves->model, k), .out = out};
+  Taken taken;
+  mark_taken(&f, &taken);
+  for (size_t j = 0; j < f.f->chain.len; j++)
+    if (!f.f->chain.data[j].dropped) fill_chain(&f, &f.f->chain.data[j], g);
+  add_rest(g, &f, &taken);
+  free(taken.skip);
+  vec_free(&f.own_xy);
+  out->own = f.own.data;
+  out->nown = f.own.len;
+  out->tri = f.tri.data;
+  out->ntri = f.tri.len / 3;
+  out->quad = f.quad.data;
+  out->nquad = f.quad.len / 4;
+}
