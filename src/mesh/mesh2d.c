@@ -42,7 +42,7 @@ TriRefineParams mesh2d_refine_params(const Options *o, const Face *f, SizeInPlan
   return p;
 }
 
-// Vertices and triangles inside the face to node ids.
+// Vertices and triangles inside the face to node ids, after what boundary layers have put there.
 static void extract(const Tri *t, const FaceGraph *g, const Driver *d, const Face *f, const double *size, FaceMesh *out)
 {
   uint32_t nlocal = (uint32_t)g->node.len, base = (uint32_t)d->nodes->n;
@@ -50,9 +50,11 @@ static void extract(const Tri *t, const FaceGraph *g, const Driver *d, const Fac
   size_t ntri = 0;
   for (uint32_t v = 0; v < t->nv; v++) id[v] = v < nlocal ? g->node.data[v] : NONE;
   for (TriId k = 0; k < t->nt; k++) ntri += tri_is_inside(t, k);
-  out->tri = mem_alloc(3 * ntri * sizeof *out->tri);
-  out->own = mem_alloc((t->nv - nlocal) * sizeof *out->own);
-  out->size = mem_alloc((t->nv - nlocal) * sizeof *out->size);
+  size_t before = out->nown, room = before + t->nv - nlocal;
+  out->tri = mem_realloc(out->tri, 3 * (out->ntri + ntri) * sizeof *out->tri);
+  out->own = mem_realloc(out->own, room * sizeof *out->own);
+  out->size = mem_alloc(room * sizeof *out->size);
+  for (size_t i = 0; i < before; i++) out->size[i] = NAN;
   for (TriId k = 0; k < t->nt; k++)
     if (tri_is_inside(t, k))
       for (EdgeId e = 3 * k; e < 3 * k + 3; e++)
@@ -71,10 +73,14 @@ static void extract(const Tri *t, const FaceGraph *g, const Driver *d, const Fac
   free(id);
 }
 
-static void mesh_plane_face(const Driver *d, const Face *f, SizeEval *eval, FaceMesh *out, Diag *diag)
+static void mesh_plane_face(const Driver *d, size_t k, SizeEval *eval, FaceMesh *out, Diag *diag)
 {
+  const Face *f = model_face_at(d->in->model, k);
   FaceGraph g = {0};
-  face_graph_add(&g, d->in->model, f, d->in->curves, d->nodes);
+  if (boundary_layers_on(d->in->layers, k))
+    boundary_layers_fill(d->in->layers, k, d->in->curves, d->nodes, out, &g);
+  else
+    face_graph_add(&g, d->in->model, f, d->in->curves, d->nodes);
   Tri t;
   tri_init(&t);
   if (face_graph_mesh(&g, d->in->model, f, &t, diag)) {
@@ -108,7 +114,7 @@ static void mesh_one(void *ctx, size_t i, int worker)
   check_context("mesh 2D", f->tag);
   if (structured_face(d->in, f, d->nodes, &d->face[k], d->diag[k])) return;
   if (extruded_face(d->in, f, d->nodes, &d->face[k], d->diag[k])) return;
-  mesh_plane_face(d, f, d->eval[worker], &d->face[k], d->diag[k]);
+  mesh_plane_face(d, k, d->eval[worker], &d->face[k], d->diag[k]);
 }
 
 typedef struct {

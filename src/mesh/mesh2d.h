@@ -5,6 +5,7 @@
 
 #include "base/base.h"
 #include "base/diag.h"
+#include "mesh/boundary_layer.h"
 #include "mesh/edge_nodes.h"
 #include "mesh/mesh.h"
 #include "mesh/mesh1d.h"
@@ -19,6 +20,7 @@ typedef struct {
   const Options *options;
   const SizeField *size;
   const Mesh1d *curves;
+  const BoundaryLayers *layers; // planned on the curves; NULL: none
   Diag *diag;
   int threads;
 } Mesh2dInput;
