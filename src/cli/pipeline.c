@@ -11,9 +11,13 @@
 #include "base/str.h"
 #include "base/thread.h"
 #include "cli/report.h"
+#include "mesh/boundary_layer.h"
+#include "mesh/high_order.h"
 #include "mesh/mesh2d.h"
 #include "mesh/mesh2d_joint.h"
 #include "mesh/mesh_check.h"
+#include "mesh/periodic.h"
+#include "mesh/subdivide.h"
 #include "model/unroll.h"
 #include "out/formats.h"
 
@@ -29,12 +33,49 @@ static void drop_mesh(Job *j)
   j->mesh_dim = -1;
 }
 
-static void mesh_faces(Job *j, const SizeField *size, EdgeNodes *en)
+// The mesh of the job becomes another one; sizes at its nodes are no longer known.
+static void replace_mesh(Job *j, Mesh *mesh)
+{
+  mesh_free(j->mesh);
+  j->mesh = mesh;
+  free(j->node_size);
+  j->node_size = NULL;
+}
+
+static void set_order(Job *j, int order)
+{
+  HighOrder how = {.order = order, .incomplete = j->options.Mesh_SecondOrderIncomplete, .linear = j->options.Mesh_SecondOrderLinear};
+  HighOrderReport r;
+  stage_begin(&j->stats, "high order");
+  replace_mesh(j, mesh_set_order(j->mesh, &how, j->model, &r, j->diag));
+  stage_end(&j->stats);
+  if (order > 1)
+    log_info(j->diag, "order %d: %zu curved edges, %zu elements unfolded, least Jacobian %.3g", order, r.curved, r.folded,
+             r.min_jacobian);
+}
+
+static void subdivide(Job *j, Subdivision how)
+{
+  stage_begin(&j->stats, "subdivide");
+  replace_mesh(j, mesh_subdivide(j->mesh, how, j->options.Mesh_SecondOrderLinear ? NULL : j->model));
+  stage_end(&j->stats);
+}
+
+// What follows the meshing of the faces: pairs of periodic nodes, subdivision, order.
+static void finish_mesh(Job *j, int dim)
+{
+  if (dim >= 1) periodic_add(j->mesh, j->model, j->diag);
+  if (dim >= 2 && j->options.Mesh_SubdivisionAlgorithm == 1) subdivide(j, SUBDIVIDE_QUADS);
+  if (dim >= 2 && j->options.Mesh_SubdivisionAlgorithm == 3) subdivide(j, SUBDIVIDE_BARYCENTRIC);
+  if (dim >= 1 && j->options.Mesh_ElementOrder > 1) set_order(j, j->options.Mesh_ElementOrder);
+}
+
+static void mesh_faces(Job *j, const SizeField *size, EdgeNodes *en, const BoundaryLayers *layers)
 {
   size_t n = model_faces(j->model);
   FaceMesh *face = mem_zalloc(n * sizeof *face);
-  Mesh2dInput in = {.model = j->model, .options = &j->options, .size = size, .curves = j->curves, .diag = j->diag,
-                    .threads = j->threads};
+  Mesh2dInput in = {.model = j->model, .options = &j->options, .size = size, .curves = j->curves, .layers = layers,
+                    .diag = j->diag, .threads = j->threads};
   bool joint = j->options.Mesh_MinimumAngle > 0 || j->options.Mesh_ConformingDelaunay;
   stage_begin(&j->stats, "mesh 2D");
   j->failed_faces = joint ? mesh2d_joint_run(&in, j->curves, en, face) : mesh2d_run(&in, en, face);
@@ -65,15 +106,18 @@ static bool generate(Job *j, int dim)
   stage_end(&j->stats);
   if (j->curves) {
     EdgeNodes en;
+    BoundaryLayers *layers = dim >= 2 ? boundary_layers_new(j->model, j->fields, &j->options, j->curves, j->diag) : NULL;
     edge_nodes_init(&en, j->model, j->curves);
     if (dim >= 2)
-      mesh_faces(j, size, &en);
+      mesh_faces(j, size, &en, layers);
     else
       j->mesh = mesh_assemble(j->model, dim >= 1 ? j->curves : NULL, &en, NULL, false);
     edge_nodes_free(&en);
+    boundary_layers_free(layers);
   }
   size_free(size);
   if (j->mesh) j->mesh_dim = MIN(dim, 2);
+  if (j->mesh) finish_mesh(j, dim);
   return j->mesh != NULL;
 }
 
@@ -200,6 +244,19 @@ static bool host_mesh(void *ctx, MeshCommand what, double number, const char *te
   if (!j->mesh) {
     diag_error(j->diag, loc, "there is no mesh yet: say Mesh 2; before");
     return false;
+  }
+  if (what == MESH_SET_ORDER) {
+    if (number >= 1 && number < HIGH_ORDER_MAX + 1) return set_order(j, (int)number), true;
+    diag_error(j->diag, loc, "SetOrder: the order must be 1 to %d", HIGH_ORDER_MAX);
+    return false;
+  }
+  if (what == MESH_REFINE || what == MESH_BARYCENTRIC) {
+    int order = 1;
+    for (size_t i = 0; i < j->mesh->nblock; i++) order = MAX(order, elem_order(j->mesh->block[i].type));
+    if (order > 1) set_order(j, 1);
+    subdivide(j, what == MESH_REFINE ? SUBDIVIDE_HALVE : SUBDIVIDE_BARYCENTRIC);
+    if (order > 1) set_order(j, order);
+    return true;
   }
   diag_error(j->diag, loc, "this mesh command is not available");
   return false;
