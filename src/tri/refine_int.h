@@ -79,6 +79,9 @@ bool refine__go_on(Refiner *r);
 // ---- strategies
 void refine__delaunay(Refiner *r);
 void refine__frontal(Refiner *r);
+// MeshAdapt: first the points, then, after refine__prepare, the sweeps. These leave isolated vertices and stale `excess`.
+void refine__saturate(Refiner *r);
+void refine__adapt(Refiner *r);
 
 // ---- tri_minangle.c
 // Bring every angle to `degrees` where the input lets it. The triangulation must be constrained Delaunay, with hints.
@@ -87,7 +90,7 @@ void refine__min_angle(Refiner *r, double degrees, VertId given);
 void refine__conform(Refiner *r);
 
 // ---- tri_renumber.c
-// Number triangles, and vertices from `first` on, along a Hilbert curve. Drops the hints. O(n).
+// Number triangles, and vertices from `first` on, along a Hilbert curve; of these, isolated ones go. Drops the hints. O(n).
 void refine__renumber(Refiner *r, VertId first);
 
 // ---- optimization
@@ -95,6 +98,8 @@ void refine__renumber(Refiner *r, VertId first);
 void refine__prepare(Refiner *r, VertId given);
 // Passes of repositioning over the vertices awake.
 void refine__smooth(Refiner *r, int passes);
+// Flip edges that are not locally Delaunay, near vertices awake, where the worse triangle gets better. Returns how many.
+size_t refine__flips(Refiner *r);
 // Improve the position of interior vertex v; true if it moved.
 bool refine__relocate(Refiner *r, VertId v);
 void refine__optimize(Refiner *r, int level);

@@ -81,8 +81,7 @@ static bool repair_by_flip(Refiner *r, EdgeId e)
   return false;
 }
 
-// Flip edges that are not locally Delaunay where that makes the worse of the two triangles better.
-static size_t quality_flips(Refiner *r)
+size_t refine__flips(Refiner *r)
 {
   Tri *m = r->m;
   size_t n = 0;
@@ -121,7 +120,7 @@ static size_t repair_valences(Refiner *r)
 static void count_excess(Refiner *r)
 {
   const Tri *m = r->m;
-  r->excess = mem_alloc(m->nv * sizeof *r->excess);
+  r->excess = mem_alloc(r->cap_v * sizeof *r->excess);
   for (VertId v = 0; v < m->nv; v++) r->excess[v] = -6;
   for (EdgeId e = 0; e < 3 * m->nt; e++)
     if (tri_is_inside(m, tri_of(e)) && r->excess[m->vert[e]] < 10000) r->excess[m->vert[e]]++;
@@ -133,8 +132,9 @@ void refine__prepare(Refiner *r, VertId given)
 {
   Tri *m = r->m;
   tri_make_hints(m);
-  r->fixed = mem_zalloc(m->nv * sizeof *r->fixed);
-  r->awake = mem_zalloc(m->nv * sizeof *r->awake);
+  free(r->fixed), free(r->awake), free(r->excess);
+  r->fixed = mem_zalloc(r->cap_v * sizeof *r->fixed);
+  r->awake = mem_zalloc(r->cap_v * sizeof *r->awake);
   double worst = 1;
   for (TriId t = 0; t < m->nt; t++) {
     if (!tri_is_inside(m, t)) continue;
@@ -157,7 +157,7 @@ void refine__optimize(Refiner *r, int level)
   if (level <= 0) return;
   int rounds = level == 1 ? 2 : 8;
   for (int k = 0; k < rounds; k++) {
-    size_t flips = quality_flips(r) + repair_valences(r);
+    size_t flips = refine__flips(r) + repair_valences(r);
     size_t moves = r->stats->moves;
     refine__smooth(r, 1);
     if (flips == 0 && r->stats->moves == moves) break;

@@ -230,13 +230,18 @@ TriRefineStats tri_refine(Tri *m, const TriRefineParams *p)
   clear_user_bits(m);
   switch (p->algorithm) {
   case REFINE_EMPTY: break;
-  case REFINE_ADAPT:
+  case REFINE_ADAPT: refine__saturate(&r); break;
   case REFINE_DELAUNAY: refine__delaunay(&r); break;
   case REFINE_FRONTAL: refine__frontal(&r); break;
   }
   clear_user_bits(m);
   refine__renumber(&r, given);
   refine__prepare(&r, given);
+  if (p->algorithm == REFINE_ADAPT && stats.outcome == REFINE_DONE) {
+    refine__adapt(&r);
+    refine__renumber(&r, given);
+    refine__prepare(&r, given);
+  }
   if (p->algorithm != REFINE_EMPTY && stats.outcome != REFINE_CANCELLED) {
     refine__smooth(&r, p->smoothing);
     refine__optimize(&r, p->optimize);

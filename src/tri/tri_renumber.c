@@ -4,11 +4,12 @@
 #include "geom/hilbert.h"
 #include "tri/refine_int.h"
 
-static void permute_doubles(double *x, const uint32_t *order, VertId first, VertId n, size_t width)
+// Entries first .. end-1 of x become those of order[first .. end-1], out of n.
+static void permute_doubles(double *x, const uint32_t *order, VertId first, VertId n, VertId end, size_t width)
 {
   double *old = mem_alloc((n - first) * width * sizeof *old);
   memcpy(old, x + width * first, (n - first) * width * sizeof *old);
-  for (VertId k = first; k < n; k++)
+  for (VertId k = first; k < end; k++)
     for (size_t i = 0; i < width; i++) x[width * k + i] = old[width * (order[k] - first) + i];
   free(old);
 }
@@ -66,19 +67,23 @@ void refine__renumber(Refiner *r, VertId first)
   uint32_t *place = place_triangles(m, rank);
   move_triangles(m, place);
   free(place);
-  // The first vertices keep their numbers; the others follow along the curve.
+  // The first vertices keep their numbers; the others follow along the curve, those in use.
   uint32_t *order = mem_alloc(m->nv * sizeof *order);
+  memset(rank, 0, m->nv * sizeof *rank);
+  for (EdgeId e = 0; e < 3 * m->nt; e++)
+    if (m->vert[e] < TRI_MAX_VERTICES && !tri_is_free(m, tri_of(e))) rank[m->vert[e]] = 1;
   VertId next = first;
   for (VertId k = 0; k < m->nv; k++) {
     VertId v = curve[k];
     if (v < first) rank[v] = v;
-    else order[next] = v, rank[v] = next++;
+    else if (rank[v]) order[next] = v, rank[v] = next++;
   }
   for (EdgeId e = 0; e < 3 * m->nt; e++)
     if (m->vert[e] < TRI_MAX_VERTICES && !tri_is_free(m, tri_of(e))) m->vert[e] = rank[m->vert[e]];
-  permute_doubles(m->xy, order, first, m->nv, 2);
-  permute_doubles(r->size, order, first, m->nv, 1);
-  if (r->carried) permute_doubles(r->carried, order, first, m->nv, 1);
+  permute_doubles(m->xy, order, first, m->nv, next, 2);
+  permute_doubles(r->size, order, first, m->nv, next, 1);
+  if (r->carried) permute_doubles(r->carried, order, first, m->nv, next, 1);
+  m->nv = next;
   free(m->hint);
   m->hint = NULL;
   free(curve), free(rank), free(order);
