@@ -239,9 +239,9 @@ static CurveShape *ellipse(const Model *m, const Curve *c, Diag *diag)
   if (!arc_plane(m, c, &p, diag)) return NULL;
   Vec3 d = vec3_sub(control(m, c, 2), p.centre);
   double mx = vec3_dot(d, p.x), my = vec3_dot(d, p.y), ml = hypot(mx, my);
-  if (!(ml > 1e-12 * vec3_length(d)) || !(ml > 0)) {
-    diag_error(diag, c->loc, "the third point %d of ellipse arc %d gives no direction for its major axis", c->point[2], c->tag);
-    return NULL;
+  if (!(ml > 1e-12 * vec3_length(d)) || !(ml > 0)) { // the centre itself is a way to say: the start is on an axis
+    mx = ml = 1;
+    my = 0;
   }
   mx /= ml;
   my /= ml;

@@ -79,7 +79,7 @@ typedef struct {
   int tag;
   int *curve;             // signed curve tags, ncurve of them, head to tail after model_prepare
   int ncurve;
-  bool sorted, reported;  // head to tail; the user was told what is wrong with it
+  bool sorted, reported, lost; // head to tail; the user was told what is wrong with it; one of its curves was deleted
   SrcLoc loc;
 } Loop;
 

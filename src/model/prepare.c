@@ -16,32 +16,27 @@ void model__restore_points(Model *m)
 
 // ---- loops --------------------------------------------------------------------------------------------------------------
 
-static bool report_unknown_curve(Model *m, Loop *l, Diag *diag)
+static bool report_unknown_curve(const Model *m, Loop *l, Diag *diag)
 {
-  if (l->reported) return false;
   for (int i = 0; i < l->ncurve; i++) {
     if (model_curve(m, l->curve[i])) continue;
-    if (!model__refused(m, KIND_CURVE, l->curve[i]))
+    if (!l->reported && !model__refused(m, KIND_CURVE, l->curve[i]))
       diag_error(diag, l->loc, "curve loop %d uses curve %d, which does not exist", l->tag, tag__abs(l->curve[i]));
     l->reported = true;
-    return false;
+    return true;
   }
-  return true;
+  return false;
 }
 
 static bool prepare_loop(Model *m, Loop *l, bool used, Diag *diag)
 {
-  if (!used) { // nothing rests on it: a warning is enough, and none if its curves were deleted with the surface
-    for (int i = 0; i < l->ncurve; i++)
-      if (!model_curve(m, l->curve[i])) return true;
-    Diag *child = diag_child(diag);
-    bool good = loop__verify(m, l, child);
-    if (!good && diag_count(child)) diag_warning(diag, l->loc, "%s (no surface uses it)", diag_get(child, 0)->text);
-    diag_free(child);
-    return true;
-  }
-  if (!report_unknown_curve(m, l, diag)) return false;
-  return loop__verify(m, l, diag);
+  if (used) return !report_unknown_curve(m, l, diag) && loop__verify(m, l, diag);
+  if (l->sorted || l->lost) return true; // nothing rests on it, and it was good when it was made
+  Diag *child = diag_child(diag);
+  bool good = !report_unknown_curve(m, l, child) && loop__verify(m, l, child);
+  if (!good && diag_count(child)) diag_warning(diag, l->loc, "%s (no surface uses it)", diag_get(child, 0)->text);
+  diag_free(child);
+  return true;
 }
 
 static bool prepare_loops(Model *m, Diag *diag)

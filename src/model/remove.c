@@ -13,12 +13,30 @@ static void delete_point(Model *m, int tag)
   if (tag == m->max[KIND_POINT]) m->max[KIND_POINT]--;
 }
 
+// Loops that listed a deleted curve: what they say is void until someone makes a curve of that tag anew.
+static void loops_lose(Model *m, int tag)
+{
+  Table *both[2] = {&m->loop, &m->hidden};
+  for (int k = 0; k < 2; k++)
+    for (uint32_t s = 0; s < both[k]->used; s++) {
+      Loop *l = table__slot(both[k], s);
+      if (l->tag == DEAD_TAG || !l->sorted) continue;
+      bool lists = false;
+      for (int i = 0; i < l->ncurve && !lists; i++) lists = tag__abs(l->curve[i]) == tag;
+      for (int i = 0; lists && i < l->ncurve; i++) model_curve(m, l->curve[i])->in_loops--;
+      if (!lists) continue;
+      l->sorted = false;
+      l->lost = true;
+    }
+}
+
 static void delete_curve(Model *m, int tag, bool recursive)
 {
   Curve *c = table__get(&m->curve, tag);
   if (!c || c->uses) return;
   int begin = c->begin, end = c->end, n = recursive ? c->npoint : 0;
   int *point = n ? c->point : NULL; // the arena keeps it
+  if (c->in_loops) loops_lose(m, tag);
   curve__drop(m, tag);
   if (tag == m->max[KIND_CURVE]) m->max[KIND_CURVE]--;
   if (!recursive) return;
@@ -120,6 +138,9 @@ static void replace_in_lists(Model *m, int tag, const IntVec *part)
   }
 }
 
+static bool is_closed(const Curve *c) { return c->npoint > 2 && c->point[0] == c->point[c->npoint - 1]; }
+
+// Where to cut, ascending. The ends of an open curve are no cuts; the end of a closed one is.
 static bool cuts_of(Model *m, const Curve *c, const int *point, size_t n, IntVec *at, SrcLoc loc, Diag *diag)
 {
   for (size_t i = 0; i < n; i++) {
@@ -132,7 +153,7 @@ static bool cuts_of(Model *m, const Curve *c, const int *point, size_t n, IntVec
                  c->tag, point[i]);
       return false;
     }
-    if (k == 0 || k == c->npoint - 1) continue;
+    if (!is_closed(c) && (k == 0 || k == c->npoint - 1)) continue;
     size_t pos = 0;
     while (pos < at->len && at->data[pos] < k) pos++;
     if (pos < at->len && at->data[pos] == k) continue;
@@ -141,6 +162,17 @@ static bool cuts_of(Model *m, const Curve *c, const int *point, size_t n, IntVec
     at->data[pos] = k;
   }
   return true;
+}
+
+// The curve through control points `from` to `to`; beyond the last, round again.
+static void put_part(Model *m, const Curve *c, int from, int to, IntVec *run, IntVec *part, SrcLoc loc)
+{
+  vec_clear(run);
+  for (int k = from; k <= to; k++) vec_push(run, c->point[k < c->npoint ? k : k - (c->npoint - 1)]);
+  CurveType type = c->type == CURVE_POLYLINE && run->len == 2 ? CURVE_LINE : c->type;
+  int t = model_new_tag(m, KIND_CURVE);
+  curve__make(m, t, type, run->data, (int)run->len, run->data[0], vec_last(run), loc);
+  vec_push(part, t);
 }
 
 bool model_split_curve(Model *m, int tag, const int *point, size_t n, IntVec *out, SrcLoc loc, Diag *diag)
@@ -159,15 +191,15 @@ bool model_split_curve(Model *m, int tag, const int *point, size_t n, IntVec *ou
   IntVec at = {0}, part = {0};
   bool good = cuts_of(m, c, point, n, &at, loc, diag);
   if (good && at.len) {
-    vec_push(&at, c->npoint - 1);
-    int from = 0;
-    for (size_t i = 0; i < at.len; i++) {
-      int len = at.data[i] - from + 1, t = model_new_tag(m, KIND_CURVE);
-      CurveType type = c->type == CURVE_POLYLINE && len == 2 ? CURVE_LINE : c->type;
-      curve__make(m, t, type, c->point + from, len, c->point[from], c->point[at.data[i]], loc);
-      vec_push(&part, t);
-      from = at.data[i];
+    bool closed = is_closed(c);
+    IntVec run = {0};
+    if (!closed) {
+      vec_push(&at, c->npoint - 1);
+      put_part(m, c, 0, at.data[0], &run, &part, loc);
     }
+    for (size_t i = 0; i + 1 < at.len; i++) put_part(m, c, at.data[i], at.data[i + 1], &run, &part, loc);
+    if (closed) put_part(m, c, vec_last(&at), at.data[0] + c->npoint - 1, &run, &part, loc);
+    vec_free(&run);
     replace_in_lists(m, tag, &part);
     curve__drop(m, tag);
     for (size_t i = 0; i < part.len; i++) vec_push(out, part.data[i]);

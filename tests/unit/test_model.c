@@ -435,6 +435,27 @@ static void deleting(void **state)
   teardown(&f);
 }
 
+// A loop outlives its curve; a new curve of that tag gives it a new meaning, but nobody complains unless a surface uses it.
+static void deleted_curve_in_loop(void **state)
+{
+  (void)state;
+  Fix f = setup();
+  unit_square(&f);
+  model_delete(f.m, (Shape[]){{2, 6}, {1, 4}}, 2, false);
+  assert_int_equal(model_new_tag(f.m, KIND_CURVE), 6);
+  point(&f, 9, -1, .5, 0);
+  LINE(&f, 4, 4, 9);
+  LINE(&f, 10, 9, 1);
+  LOOP(&f, 11, 1, 2, 3, 4, 10);
+  FACE(&f, FACE_PLANE, 6, 11);
+  assert_true(model_prepare(f.m, 1e-8, f.d));
+  assert_int_equal(diag_count(f.d), 0);
+  FACE(&f, FACE_PLANE, 7, 5);
+  assert_false(model_prepare(f.m, 1e-8, f.d));
+  expect_message(f.d, "curve loop 5 is not closed");
+  teardown(&f);
+}
+
 static void group_tags(void **state)
 {
   (void)state;
@@ -702,6 +723,14 @@ static void split_and_compound(void **state)
   expect_news(f.m, 13, 81);
   EXPECT_CURVE(f.m, 80, CURVE_SPLINE, 1, 7, 8, 9, 2, 10, 11, 12, 3);
   assert_true(model_prepare(f.m, 1e-8, f.d));
+  // a closed curve: the last part goes round
+  CURVE(&f, CURVE_SPLINE, 90, 1, 2, 3, 4, 5, 1);
+  vec_clear(&out);
+  assert_true(model_split_curve(f.m, 90, (int[]){1, 4}, 2, &out, NO_LOC, f.d));
+  EXPECT_CURVE(f.m, out.data[0], CURVE_SPLINE, 4, 5, 1);
+  EXPECT_CURVE(f.m, out.data[1], CURVE_SPLINE, 1, 2, 3, 4);
+  assert_true(model_split_curve(f.m, out.data[1], (int[]){1, 3, 4}, 3, &out, NO_LOC, f.d));
+  assert_int_equal(out.len, 4);
   vec_free(&out);
   teardown(&f);
 }
@@ -744,6 +773,7 @@ int main(void)
     cmocka_unit_test(coherence_tolerance),
     cmocka_unit_test(coherence_is_incremental),
     cmocka_unit_test(deleting),
+    cmocka_unit_test(deleted_curve_in_loop),
     cmocka_unit_test(group_tags),
     cmocka_unit_test(mistakes),
     cmocka_unit_test(open_loops),
