@@ -114,35 +114,45 @@ static void put_loop(Writer *w, int tag, const Loop *l)
   writer_str(w, ";\n");
 }
 
-// Hidden loops get tags beyond all others. Returns false for a face with an open loop.
-static bool put_face(Writer *w, const Model *m, const Face *f, int *fresh)
+static bool loops_are_sorted(const Model *m, const Face *f)
 {
-  int *loop = mem_alloc((size_t)f->nloop * sizeof *loop);
-  bool good = true;
-  for (int i = 0; i < f->nloop && good; i++) {
+  for (int i = 0; i < f->nloop; i++) {
     const Loop *l = model_loop(m, f->loop[i]);
-    good = l && l->sorted;
-    loop[i] = f->loop[i];
-    if (!good || l->tag < HIDDEN_LOOP) continue;
-    put_loop(w, ++*fresh, l);
-    loop[i] = f->loop[i] < 0 ? -*fresh : *fresh;
+    if (!l || !l->sorted) return false;
   }
-  if (good) {
-    put_head(w, f->type == FACE_PLANE ? "Plane Surface" : "Surface", f->tag);
-    put_ints(w, loop, (size_t)f->nloop);
-    writer_str(w, ";\n");
-  }
-  free(loop);
-  return good;
+  return true;
 }
 
+static bool is_hidden(int loop) { return tag__abs(loop) >= HIDDEN_LOOP; }
+
+// All loops, then all faces. Hidden loops get tags beyond all others, in the order of their faces.
 static void put_faces(Writer *w, const Model *m)
 {
   int fresh = 0;
   for (int k = KIND_CURVE; k < KIND_COUNT; k++) fresh = MAX(fresh, model_max_tag(m, (Kind)k));
   for (size_t i = 0; i < model_loops(m); i++)
     if (model_loop_at(m, i)->sorted) put_loop(w, model_loop_at(m, i)->tag, model_loop_at(m, i));
-  for (size_t i = 0; i < model_faces(m); i++) put_face(w, m, model_face_at(m, i), &fresh);
+  int next = fresh;
+  for (size_t i = 0; i < model_faces(m); i++) {
+    const Face *f = model_face_at(m, i);
+    for (int k = 0; loops_are_sorted(m, f) && k < f->nloop; k++)
+      if (is_hidden(f->loop[k])) put_loop(w, ++next, model_loop(m, f->loop[k]));
+  }
+  IntVec loop = {0};
+  next = fresh;
+  for (size_t i = 0; i < model_faces(m); i++) {
+    const Face *f = model_face_at(m, i);
+    if (!loops_are_sorted(m, f)) continue;
+    vec_clear(&loop);
+    for (int k = 0; k < f->nloop; k++) {
+      int tag = is_hidden(f->loop[k]) ? ++next : tag__abs(f->loop[k]);
+      vec_push(&loop, f->loop[k] < 0 ? -tag : tag);
+    }
+    put_head(w, f->type == FACE_PLANE ? "Plane Surface" : "Surface", f->tag);
+    put_ints(w, loop.data, loop.len);
+    writer_str(w, ";\n");
+  }
+  vec_free(&loop);
   IntVec volume = {0};
   model_all(m, 3, &volume);
   for (size_t i = 0; i < volume.len; i++) {
