@@ -4,12 +4,51 @@
 
 #include "mesh/filling.h"
 
+// Arcs about one centre with one radius, of a face that is not plane?
+static void find_sphere(Filling *s, const Face *f)
+{
+  s->sphere = !f->planar;
+  for (int k = 0; k < s->n && s->sphere; k++) {
+    const Curve *c = s->curve[k];
+    const Point *centre = c->type == CURVE_CIRCLE && c->npoint == 3 ? model_point(s->model, c->point[1]) : NULL;
+    s->sphere = centre != NULL;
+    if (!centre) break;
+    double r = vec3_distance(centre->xyz, s->corner[k]);
+    if (k == 0) {
+      s->centre = centre->xyz;
+      s->radius = r;
+    }
+    s->sphere = vec3_distance(centre->xyz, s->centre) <= 1e-6 * r && fabs(r - s->radius) <= 1e-6 * r;
+  }
+}
+
+// A rectangle of the mean lengths of opposite curves, or the triangle of the three lengths (of sides 1 if they make none).
+static void set_flat(Filling *s)
+{
+  double l[4];
+  for (int k = 0; k < s->n; k++) l[k] = curve_length(s->model, s->curve[k]);
+  if (s->n == 4) {
+    double w = 0.5 * (l[0] + l[2]), h = 0.5 * (l[1] + l[3]);
+    s->flat[1] = (Vec2){w, 0};
+    s->flat[2] = (Vec2){w, h};
+    s->flat[3] = (Vec2){0, h};
+    return;
+  }
+  double x = (l[0] * l[0] + l[2] * l[2] - l[1] * l[1]) / (2 * l[0]), y2 = l[2] * l[2] - x * x;
+  if (!(y2 > 1e-4 * l[2] * l[2])) {
+    x = 0.5 * l[0];
+    y2 = 0.75 * l[0] * l[0];
+  }
+  s->flat[1] = (Vec2){l[0], 0};
+  s->flat[2] = (Vec2){x, sqrt(y2)};
+}
+
 bool filling_init(Filling *s, const Model *m, const Face *f)
 {
   IntVec curve = {0}, start = {0};
   face_boundary(m, f, &curve, &start);
   *s = (Filling){.model = m, .n = (int)curve.len};
-  bool good = start.len == 2 && (curve.len == 3 || curve.len == 4);
+  bool good = f->type == FACE_FILLING && start.len == 2 && (curve.len == 3 || curve.len == 4);
   for (size_t k = 0; k < curve.len && good; k++) {
     const Curve *c = s->curve[k] = model_curve(m, curve.data[k]);
     s->reversed[k] = curve.data[k] < 0;
@@ -19,7 +58,10 @@ bool filling_init(Filling *s, const Model *m, const Face *f)
   }
   vec_free(&curve);
   vec_free(&start);
-  return good;
+  if (!good) return false;
+  find_sphere(s, f);
+  set_flat(s);
+  return true;
 }
 
 // Point of the k-th side at t in the sense of the loop.
@@ -37,17 +79,38 @@ static Vec3 triangle_point(const Filling *s, double u, double v)
   return vec3_add(vec3_scale(1 - u, a), vec3_add(vec3_scale(u - v, b), vec3_scale(v, d)));
 }
 
-Vec3 filling_point(const Filling *s, double u, double v)
+static Vec3 quad_point(const Filling *s, double u, double v)
 {
-  u = fmin(fmax(u, 0), 1);
-  v = fmin(fmax(v, 0), s->n == 3 ? u : 1);
-  if (s->n == 3) return triangle_point(s, u, v);
   const Vec3 *c = s->corner;
   Vec3 sum = vec3_add(vec3_scale(1 - u, side(s, 3, 1 - v)), vec3_scale(u, side(s, 1, v)));
   sum = vec3_add(sum, vec3_add(vec3_scale(1 - v, side(s, 0, u)), vec3_scale(v, side(s, 2, 1 - u))));
   Vec3 flat = vec3_add(vec3_scale((1 - u) * (1 - v), c[0]), vec3_scale(u * (1 - v), c[1]));
   flat = vec3_add(flat, vec3_add(vec3_scale(u * v, c[2]), vec3_scale((1 - u) * v, c[3])));
   return vec3_sub(sum, flat);
+}
+
+Vec3 filling_point(const Filling *s, double u, double v)
+{
+  u = fmin(fmax(u, 0), 1);
+  v = fmin(fmax(v, 0), s->n == 3 ? u : 1);
+  Vec3 p = s->n == 3 ? triangle_point(s, u, v) : quad_point(s, u, v);
+  if (!s->sphere) return p;
+  Vec3 d = vec3_sub(p, s->centre);
+  double l = vec3_length(d);
+  return l > 0 ? vec3_add(s->centre, vec3_scale(s->radius / l, d)) : p;
+}
+
+Vec2 filling_to_plane(const Filling *s, Vec2 uv)
+{
+  if (s->n == 4) return (Vec2){uv.x * s->flat[2].x, uv.y * s->flat[2].y};
+  return vec2_add(vec2_scale(uv.x - uv.y, s->flat[1]), vec2_scale(uv.y, s->flat[2]));
+}
+
+Vec2 filling_from_plane(const Filling *s, Vec2 q)
+{
+  if (s->n == 4) return (Vec2){q.x / s->flat[2].x, q.y / s->flat[2].y};
+  double v = q.y / s->flat[2].y;
+  return (Vec2){(q.x - v * s->flat[2].x) / s->flat[1].x + v, v};
 }
 
 Vec2 filling_side(const Filling *s, int k, double t)

@@ -20,6 +20,10 @@ typedef struct {
   const Curve *curve[4];
   bool reversed[4];
   Vec3 corner[4];       // where each begins
+  bool sphere;          // arcs about one centre that are not in one plane: the surface is drawn onto their sphere
+  Vec3 centre;
+  double radius;
+  Vec2 flat[4];         // corners of the plane polygon that stands for it, of about its size (filling_to_plane)
 } Filling;
 
 // False if the face is not one loop of 3 or 4 curves.
@@ -27,5 +31,8 @@ bool filling_init(Filling *s, const Model *m, const Face *f);
 Vec3 filling_point(const Filling *s, double u, double v);
 // Parameters of the place t (0 to 1, in the sense of the loop) on the k-th side.
 Vec2 filling_side(const Filling *s, int k, double t);
+// Between parameters and a plane polygon with sides about as long as the curves, where the surface is meshed if it is not plane.
+Vec2 filling_to_plane(const Filling *s, Vec2 uv);
+Vec2 filling_from_plane(const Filling *s, Vec2 q);
 
 #endif

@@ -280,7 +280,18 @@ static int same_curve(const Model *m, const Curve *a, const Curve *b)
   return 0;
 }
 
-static void inherit(Curve *stays, const Curve *gone, int sign)
+// Does the mesh of curve `from` come, copy by copy, from that of curve `to`?
+static bool copied_from(const Model *m, int from, int to)
+{
+  for (size_t steps = 0; from && steps <= m->curve.live; steps++) {
+    if (tag__abs(from) == to) return true;
+    const Curve *c = model_curve(m, from);
+    from = c ? c->copy_of : 0;
+  }
+  return false;
+}
+
+static void inherit(const Model *m, Curve *stays, const Curve *gone, int sign)
 {
   if (stays->transfinite || stays->copy_of || (stays->extruded_point && stays->layers.n)) return;
   stays->transfinite = gone->transfinite;
@@ -288,7 +299,7 @@ static void inherit(Curve *stays, const Curve *gone, int sign)
   stays->coef = sign < 0 && gone->law != LAW_BUMP && gone->coef > 0 ? 1 / gone->coef : gone->coef;
   stays->extruded_point = sign < 0 ? 0 : gone->extruded_point;
   if (stays->extruded_point) stays->layers = gone->layers;
-  if (tag__abs(gone->copy_of) != stays->tag) stays->copy_of = sign * gone->copy_of;
+  if (!copied_from(m, gone->copy_of, stays->tag)) stays->copy_of = sign * gone->copy_of;
 }
 
 static void find_equal_curves(Model *m, Merged *g)
@@ -315,7 +326,7 @@ static void find_equal_curves(Model *m, Merged *g)
       if (!sign) continue;
       gone = d->tag < c->tag;
       Curve *out = gone ? c : d, *in = gone ? d : c;
-      inherit(in, out, sign);
+      inherit(m, in, out, sign);
       if (!gone) model__forget_curve(m, d);
       map_set(&g->to[1], (uint64_t)out->tag, (uint32_t)(sign * in->tag));
       vec_push(&g->gone[1], out->tag);
