@@ -6,6 +6,7 @@
 
 #include "base/thread.h"
 #include "mesh/face_graph.h"
+#include "mesh/filling_mesh.h"
 #include "mesh/structured.h"
 #include "tri/refine.h"
 #include "tri/tri.h"
@@ -43,7 +44,7 @@ TriRefineParams mesh2d_refine_params(const Options *o, const Face *f, SizeInPlan
 }
 
 // Vertices and triangles inside the face to node ids, after what boundary layers have put there.
-static void extract(const Tri *t, const FaceGraph *g, const Driver *d, const Face *f, const double *size, FaceMesh *out)
+static void extract(const Tri *t, const FaceGraph *g, const Driver *d, const FaceMap *map, const double *size, FaceMesh *out)
 {
   uint32_t nlocal = (uint32_t)g->node.len, base = (uint32_t)d->nodes->n;
   uint32_t *id = mem_alloc(t->nv * sizeof *id);
@@ -63,7 +64,7 @@ static void extract(const Tri *t, const FaceGraph *g, const Driver *d, const Fac
     if (id[v] == NONE) continue;
     id[v] = base + (uint32_t)out->nown;
     out->size[out->nown] = size[v];
-    out->own[out->nown++] = face_from_plane(f, (Vec2){tri_xy(t, v)[0], tri_xy(t, v)[1]});
+    out->own[out->nown++] = face_map_point(map, (Vec2){tri_xy(t, v)[0], tri_xy(t, v)[1]});
   }
   for (TriId k = 0; k < t->nt; k++) {
     if (!tri_is_inside(t, k)) continue;
@@ -77,15 +78,22 @@ static void mesh_plane_face(const Driver *d, size_t k, SizeEval *eval, FaceMesh 
 {
   const Face *f = model_face_at(d->in->model, k);
   FaceGraph g = {0};
+  Filling filling;
+  FaceMap map = {f, filling_wanted(&filling, d->in->model, f) ? &filling : NULL, eval};
   if (boundary_layers_on(d->in->layers, k))
     boundary_layers_fill(d->in->layers, k, d->in->curves, d->nodes, out, &g);
   else
     face_graph_add(&g, d->in->model, f, d->in->curves, d->nodes);
+  if (map.filling) filling_place(&filling, d->in, f, d->nodes, &g);
   Tri t;
   tri_init(&t);
   if (face_graph_mesh(&g, d->in->model, f, &t, diag)) {
     SizeInPlane here = {eval, f};
     TriRefineParams p = mesh2d_refine_params(d->in->options, f, &here);
+    if (map.filling) {
+      p.size = filling_size;
+      p.size_ctx = &map;
+    }
     double *sizes = NULL;
     p.sizes_out = &sizes;
     TriRefineStats s = tri_refine(&t, &p);
@@ -95,7 +103,7 @@ static void mesh_plane_face(const Driver *d, size_t k, SizeEval *eval, FaceMesh 
                  p.max_triangles);
       out->failed = true;
     } else {
-      extract(&t, &g, d, f, sizes, out);
+      extract(&t, &g, d, &map, sizes, out);
     }
     free(sizes);
   } else {
