@@ -114,8 +114,14 @@ static uint64_t hash_point(const double *x)
   return h;
 }
 
-// Open addressing over node indices; the upper bits of the hash are the better ones.
-static void check_duplicate_nodes(Check *c)
+typedef struct {
+  uint32_t first, second; // nodes
+  bool meet;              // both are nodes of surface elements of one face
+} Twins;
+typedef Vec(Twins) TwinsVec;
+
+// Pairs of nodes at one place. Open addressing over node indices; the upper bits of the hash are the better ones.
+static void find_twins(const Check *c, TwinsVec *out)
 {
   const Mesh *m = c->m;
   int bits = 4;
@@ -130,13 +136,49 @@ static void check_duplicate_nodes(Check *c)
       const double *y = m->xyz + 3 * (size_t)slot[s];
       if (x[0] == y[0] && x[1] == y[1] && x[2] == y[2]) break;
     }
-    if (slot[s] == NONE)
+    if (slot[s] == NONE) {
       slot[s] = (uint32_t)i;
-    else if (c->used[i] || c->strict)
-      check__report(c, RULE_DUPLICATE_NODE, false, m->node_entity[i], NONE, 0, (uint32_t)i, mesh_xyz(m, (uint32_t)i),
-                    "nodes %u and %zu have the same coordinates", slot[s] + 1, i + 1);
+    } else {
+      Twins t = {slot[s], (uint32_t)i, false};
+      vec_push(out, t);
+    }
   }
   free(slot);
+}
+
+// Which pairs meet in a face: stamp the nodes of twins face by face.
+static void find_meetings(const Check *c, TwinsVec *twins)
+{
+  const Mesh *m = c->m;
+  uint32_t *face = mem_alloc(m->nnode * sizeof *face);
+  memset(face, 0xff, m->nnode * sizeof *face);
+  for (uint32_t b = 0; b < m->nblock; b++) {
+    const MeshBlock *k = &m->block[b];
+    if (elem_dim(k->type) != 2) continue;
+    for (size_t i = 0; i < k->n * (size_t)elem_nodes(k->type); i++) face[k->node[i]] = k->entity;
+    if (b + 1 < m->nblock && m->block[b + 1].entity == k->entity) continue;
+    for (size_t i = 0; i < twins->len; i++) {
+      Twins *t = &twins->data[i];
+      t->meet = t->meet || (face[t->first] == k->entity && face[t->second] == k->entity);
+    }
+  }
+  free(face);
+}
+
+// Two nodes of one face at one place make it wrong. Otherwise they may be meant: points of the geometry that coincide, faces that
+// are not joined.
+static void check_duplicate_nodes(Check *c)
+{
+  const Mesh *m = c->m;
+  TwinsVec twins = {0};
+  find_twins(c, &twins);
+  if (twins.len) find_meetings(c, &twins);
+  for (size_t i = 0; i < twins.len; i++) {
+    uint32_t a = twins.data[i].first, b = twins.data[i].second;
+    check__report(c, RULE_DUPLICATE_NODE, !twins.data[i].meet, m->node_entity[b], NONE, 0, b, mesh_xyz(m, b),
+                  "nodes %u and %u have the same coordinates", a + 1, b + 1);
+  }
+  vec_free(&twins);
 }
 
 // ---- classification -------------------------------------------------------------------------------------------------------
@@ -183,7 +225,7 @@ static void check_groups(Check *c)
   Names names[3] = {{0}, {0}, {0}};
   for (size_t g = 0; g < m->ngroup; g++) {
     const MeshGroup *a = &m->group[g];
-    bool fine = a->dim >= 0 && a->dim <= 2 && a->tag > 0;
+    bool fine = a->dim >= 0 && a->dim <= 2 && a->tag >= 0;
     if (!fine) {
       check__report(c, RULE_GROUP, false, NONE, NONE, 0, NONE, nowhere, "a group of dimension %d with tag %d", a->dim, a->tag);
       continue;

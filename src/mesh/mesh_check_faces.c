@@ -156,14 +156,29 @@ static bool boundary_known(const Check *c, uint32_t face)
   return f->boundary.len > 0;
 }
 
-// The area within the line elements of the bounding curves, by Green's formula about `origin`.
-static void add_polygon(const Check *c, const Face *f, const double origin[2], Sum *area)
+// Blocks of an entity: the first, and one past the last.
+static void blocks_of(const Mesh *m, uint32_t entity, uint32_t *first, uint32_t *last)
+{
+  uint32_t lo = 0, hi = (uint32_t)m->nblock;
+  while (lo < hi) {
+    uint32_t mid = lo + (hi - lo) / 2;
+    if (m->block[mid].entity < entity)
+      lo = mid + 1;
+    else
+      hi = mid;
+  }
+  for (*first = hi = lo; hi < m->nblock && m->block[hi].entity == entity;) hi++;
+  *last = hi;
+}
+
+// What Green's formula about `origin` gives for the line elements of a curve, run backwards if sign < 0.
+static void add_curve(const Check *c, const Face *f, uint32_t curve, int sign, const double origin[2], Sum *area)
 {
   const Mesh *m = c->m;
-  for (uint32_t b = 0; b < m->nblock && elem_dim(m->block[b].type) < 2; b++) {
+  uint32_t b, last;
+  blocks_of(m, curve, &b, &last);
+  for (; b < last; b++) {
     const MeshBlock *k = &m->block[b];
-    int sign;
-    if (elem_dim(k->type) != 1 || !times_listed(&m->entity[f->entity], m->entity[k->entity].tag, &sign) || !sign) continue;
     for (size_t i = 0; i < k->n; i++) {
       const uint32_t *v = k->node + i * (size_t)elem_nodes(k->type);
       double p[2], q[2];
@@ -173,6 +188,33 @@ static void add_polygon(const Check *c, const Face *f, const double origin[2], S
       sum_add(area, sign * t / 2);
     }
   }
+}
+
+// The area within the line elements of the bounding curves: that of the largest loop less the others, since holes may be run
+// either way and be listed first. Loops follow each other in the list; one ends where it comes back to its beginning.
+static void add_polygon(const Check *c, const Face *f, const double origin[2], Sum *area)
+{
+  const MeshEntity *e = &c->m->entity[f->entity];
+  double largest = 0;
+  int start = 0;
+  Sum loop = {0, 0, 0};
+  for (size_t i = 0; i < e->boundary.len; i++) {
+    int tag = e->boundary.data[i], sign = tag < 0 ? -1 : 1;
+    uint32_t curve = mesh_find_entity(c->m, 1, abs(tag));
+    const IntVec *ends = &c->m->entity[curve].boundary;
+    int begin = ends->len ? abs(ends->data[0]) : 0, end = ends->len ? abs(ends->data[ends->len - 1]) : 0;
+    if (!start) start = sign > 0 ? begin : end;
+    add_curve(c, f, curve, sign, origin, &loop);
+    if ((sign > 0 ? end : begin) != start && i + 1 < e->boundary.len) continue;
+    double a = fabs(loop.sum + loop.low);
+    sum_add(area, -a);
+    area->size += loop.size;
+    largest = fmax(largest, a);
+    loop = (Sum){0, 0, 0};
+    start = 0;
+  }
+  sum_add(area, largest);
+  sum_add(area, largest);
 }
 
 static void check_area(Check *c, const Face *f, const Sum *elements, const double origin[2])

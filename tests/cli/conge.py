@@ -1,6 +1,7 @@
 # conge.py - properties of the meshes of geo/conge.geo, read by a reader of our own from MSH 2.2
 # SPDX-License-Identifier: MIT
 import math, sys
+import numpy as np
 
 count = 0
 
@@ -12,22 +13,21 @@ def test(name, good, detail=""):
 
 
 def read(path):
-    nodes, elems = {}, {1: [], 2: [], 15: []}
-    lines = iter(open(path))
-    for line in lines:
-        if line.startswith("$Nodes"):
-            for _ in range(int(next(lines))):
-                w = next(lines).split()
-                nodes[int(w[0])] = (float(w[1]), float(w[2]))
-        elif line.startswith("$Elements"):
-            for _ in range(int(next(lines))):
-                w = [int(x) for x in next(lines).split()]
-                elems[w[1]].append((w[4], tuple(w[3 + w[2]:])))
-    return nodes, elems
-
-
-def polygon_area(points):  # of closed chains given as directed segments
-    return 0.5 * math.fsum(a[0] * b[1] - b[0] * a[1] for a, b in points)
+    """Coordinates by node number, and per element type an array of rows (entity, nodes...) of an ASCII MSH 2.2 file."""
+    with open(path) as f:
+        lines = f.read().split("\n")
+    at = lines.index("$Nodes")
+    n = int(lines[at + 1])
+    table = np.array(" ".join(lines[at + 2:at + 2 + n]).split(), dtype=float).reshape(n, 4)
+    xy = np.full((int(table[:, 0].max()) + 1, 2), np.nan)
+    xy[table[:, 0].astype(int)] = table[:, 1:3]
+    at = lines.index("$Elements")
+    n = int(lines[at + 1])
+    by_type = {1: [], 2: [], 15: []}
+    for line in lines[at + 2:at + 2 + n]:
+        w = line.split()
+        by_type[int(w[1])].append(w[4:])  # entity, nodes: two tags
+    return xy, {t: np.array(rows, dtype=int).reshape(len(rows), -1) for t, rows in by_type.items() if rows}
 
 
 # analytic areas: trapezoids, triangles and circular segments
@@ -46,42 +46,50 @@ def analytic():
     return cover, foot + tower - below - arch - cover
 
 
+def edges_of(tri):
+    return np.concatenate([tri[:, [0, 1]], tri[:, [1, 2]], tri[:, [2, 0]]])
+
+
+def key(edges):  # of unordered pairs
+    return edges.min(axis=1) << 32 | edges.max(axis=1)
+
+
 results = []
 args = sys.argv[1:]
 for scale, path in zip(args[0::2], args[1::2]):
-    nodes, elems = read(path)
-    tris = elems[2]
-    edge_faces, worst_angle, gammas, inverted, area = {}, 180.0, [], 0, {22: [], 24: []}
-    for face, (a, b, c) in tris:
-        pa, pb, pc = nodes[a], nodes[b], nodes[c]
-        twice = (pb[0] - pa[0]) * (pc[1] - pa[1]) - (pb[1] - pa[1]) * (pc[0] - pa[0])
-        inverted += twice <= 0
-        area[face].append(twice / 2)
-        la, lb, lc = math.dist(pb, pc), math.dist(pc, pa), math.dist(pa, pb)
-        angles = [math.acos(max(-1, min(1, (y * y + z * z - x * x) / (2 * y * z)))) for x, y, z in ((la, lb, lc), (lb, lc, la), (lc, la, lb))]
-        worst_angle = min(worst_angle, math.degrees(min(angles)))
-        sines = [math.sin(x) for x in angles]
-        gammas.append(4 * sines[0] * sines[1] * sines[2] / sum(sines))
-        for e in ((a, b), (b, c), (c, a)):
-            edge_faces.setdefault(frozenset(e), []).append((face, e))
-    interface = set(range(15, 21))
-    lines = elems[1]
-    lost = [e for curve, e in lines if frozenset(e) not in edge_faces]
-    both = [e for curve, e in lines if curve in interface and {f for f, _ in edge_faces[frozenset(e)]} != {22, 24}]
+    xy, elems = read(path)
+    face, tri = elems[2][:, 0], elems[2][:, 1:]
+    curve, line = elems[1][:, 0], elems[1][:, 1:]
+    a, b, c = (xy[tri[:, k]] for k in range(3))
+    cross = lambda u, v: u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
+    area = cross(b - a, c - a) / 2
+    angles = []
+    for p, q, r in ((a, b, c), (b, c, a), (c, a, b)):
+        angles.append(np.arctan2(cross(q - p, r - p), np.sum((q - p) * (r - p), axis=1)))
+    sines = np.sin(angles)
+    gamma = 4 * sines.prod(axis=0) / sines.sum(axis=0)
+    edges = edges_of(tri)
+    k, owner = key(edges), np.tile(face, 3)
+    keys, inverse, times = np.unique(k, return_inverse=True, return_counts=True)
+    lines = key(line)
+    interface = lines[(curve >= 15) & (curve <= 20)]
+    sides = lambda f: np.isin(interface, k[owner == f])
+    inner = ~np.isin(keys, lines)
     name = "conge at %s: " % scale
-    test(name + "triangles %d" % len(tris), {"1": 8e3, "0.3": 9e4, "0.1": 8e5}[scale] < len(tris) < {"1": 2e4, "0.3": 2e5, "0.1": 2e6}[scale])
-    test(name + "each edge of the 1D mesh is an edge of the 2D mesh", not lost, lost[:3])
-    test(name + "both faces share every edge of the interface", not both, both[:3])
-    test(name + "no inner edge has more or fewer than two triangles", all(len(v) == 2 for k, v in edge_faces.items() if k not in {frozenset(e) for _, e in lines}))
-    test(name + "no triangle inverted", inverted == 0, inverted)
-    boundary = [(nodes[e[0]], nodes[e[1]]) for k, v in edge_faces.items() if len(v) == 1 for _, e in v]
-    polygon, total = polygon_area(boundary), math.fsum(area[22] + area[24])
+    test(name + "triangles %d" % len(tri), {"1": 8e3, "0.3": 9e4, "0.1": 8e5}[scale] < len(tri) < {"1": 2e4, "0.3": 2e5, "0.1": 2e6}[scale])
+    test(name + "each edge of the 1D mesh is an edge of the 2D mesh", np.isin(lines, keys).all())
+    test(name + "both faces share every edge of the interface", (sides(22) & sides(24)).all() and len(interface) > 0)
+    test(name + "every inner edge has two triangles", (times[inner] == 2).all())
+    test(name + "no triangle inverted", (area > 0).all())
+    rim = edges[times[inverse] == 1]
+    polygon = math.fsum(cross(xy[rim[:, 0]], xy[rim[:, 1]])) / 2
+    total = math.fsum(area)
     test(name + "area equals the polygon's to 1e-12", abs(total - polygon) <= 1e-12 * polygon, (total, polygon))
-    test(name + "smallest angle %.2f above 25" % worst_angle, worst_angle > 25)
-    mean = sum(gammas) / len(gammas)
-    test(name + "mean gamma %.4f above 0.93" % mean, mean > 0.93)
+    worst = math.degrees(np.min(angles))
+    test(name + "smallest angle %.2f above 25" % worst, worst > 25)
+    test(name + "mean gamma %.4f above 0.93" % gamma.mean(), gamma.mean() > 0.93)
     cover, body = analytic()
-    results.append((float(scale), abs(math.fsum(area[22]) - cover) / cover, abs(math.fsum(area[24]) - body) / body))
+    results.append((float(scale), abs(math.fsum(area[face == 22]) - cover) / cover, abs(math.fsum(area[face == 24]) - body) / body))
 for (s0, c0, b0), (s1, c1, b1) in zip(results, results[1:]):
     for what, x0, x1 in (("cover", c0, c1), ("body", b0, b1)):
         order = math.log(x0 / x1) / math.log(s0 / s1)
