@@ -9,5 +9,4 @@ static bool build(SizeField *s, Node *n, Diag *diag)
   return false;
 }
 #define P(x) const FieldOps x = {build, NULL, NULL, NULL};
-P(ops_mean) P(ops_gradient) P(ops_curvature) P(ops_laplacian) P(ops_hessian) P(ops_lonlat) P(ops_math) P(ops_metric) P(ops_param)
 P(ops_distance) P(ops_extend) P(ops_layer) P(ops_attractor_aniso) P(ops_structured) P(ops_view) P(ops_automatic)

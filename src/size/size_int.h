@@ -104,6 +104,9 @@ bool size__refer(SizeField *s, Node *n, int id, SrcLoc loc, Diag *diag);
 double size__of_curve(const SizeField *s, const Curve *c, double u);
 double size__of_point(const SizeField *s, const Point *p);
 
+// Of a symmetric 3x3 matrix given by rows of its upper half; of the absolute values if asked.
+double size__largest_eigenvalue(const double m[6], bool absolute);
+
 const FieldOps *size__ops(FieldKind k);
 extern const FieldOps ops_threshold, ops_box, ops_ball, ops_cylinder, ops_frustum, ops_min, ops_max, ops_restrict, ops_constant,
     ops_mean, ops_gradient, ops_curvature, ops_laplacian, ops_hessian, ops_lonlat, ops_same, ops_math, ops_metric, ops_param,
