@@ -3,6 +3,7 @@
 #ifndef SIZE_SIZE_INT_H
 #define SIZE_SIZE_INT_H
 
+#include "geom/nearest.h"
 #include "size/field_int.h"
 #include "size/size.h"
 
@@ -103,6 +104,11 @@ bool size__refer(SizeField *s, Node *n, int id, SrcLoc loc, Diag *diag);
 // Sizes by points, curvature and D alone, before clamping.
 double size__of_curve(const SizeField *s, const Curve *c, double u);
 double size__of_point(const SizeField *s, const Point *p);
+
+// A search tree for pieces of the model's curves (by index), to be built when they are added: pieces.c
+Nearest *size__pieces_new(const Model *m);
+void size__add_curve(Nearest *n, const Model *m, uint32_t k);
+uint32_t size__curve_index(const Model *m, int tag); // NONE if there is none; sign ignored
 
 // Of a symmetric 3x3 matrix given by rows of its upper half; of the absolute values if asked.
 double size__largest_eigenvalue(const double m[6], bool absolute);
