@@ -17,7 +17,26 @@ static const Format table[] = {
     {.name = "msh2", .extensions = "msh2", .help = "MSH 2.2, ASCII or binary", .write = msh2__write, .read = msh__read},
     {.name = "msh22", .extensions = "msh22", .help = "the same", .write = msh2__write, .read = msh__read},
     {.name = "msh1", .extensions = "msh1", .help = "MSH 1", .write = msh1__write, .read = msh__read},
-    {.name = "vtk", .extensions = "vtk", .help = "legacy VTK, ASCII or binary", .write = vtk__write, .refuses = vtk__refuses},
+    {.name = "vtk", .extensions = "vtk", .help = "legacy VTK, ASCII or binary", .write = vtk__write, .refuses = vtk__refuses, .read = vtk__read},
+    {.name = "vtu", .extensions = "vtu", .help = "VTK XML, compressed", .write = vtu__write, .refuses = vtu__refuses, .read = vtu__read},
+    {.name = "mesh", .extensions = "mesh", .help = "Medit", .flags = FORMAT_NO_POINTS, .write = medit__write,
+     .refuses = medit__refuses, .read = medit__read},
+    {.name = "inp", .extensions = "inp", .help = "Abaqus and CalculiX, with element sets", .flags = FORMAT_NO_POINTS,
+     .write = inp__write, .refuses = inp__refuses, .read = inp__read},
+    {.name = "su2", .extensions = "su2", .help = "SU2 with markers", .flags = FORMAT_NO_POINTS, .write = su2__write,
+     .refuses = su2__refuses, .read = su2__read},
+    {.name = "unv", .extensions = "unv", .help = "I-DEAS universal file with groups", .flags = FORMAT_NO_POINTS,
+     .write = unv__write, .refuses = unv__refuses, .read = unv__read},
+    {.name = "triangle", .extensions = "node ele poly", .help = "the program Triangle's .node, .ele and .poly, together",
+     .flags = FORMAT_NO_POINTS, .write_files = triangle__write, .refuses = triangle__refuses, .read_files = triangle__read},
+    {.name = "off", .extensions = "off", .help = "OFF, surface elements alone", .flags = FORMAT_SURFACE, .write_or = off__write_or,
+     .refuses = surface__refuses, .read = off__read},
+    {.name = "obj", .extensions = "obj", .help = "Wavefront OBJ, surface elements alone", .flags = FORMAT_SURFACE,
+     .write_or = obj__write_or, .refuses = surface__refuses, .read = obj__read},
+    {.name = "ply", .extensions = "ply", .help = "PLY, ASCII or binary, surface elements alone", .flags = FORMAT_SURFACE,
+     .write_or = ply__write_or, .refuses = surface__refuses, .read = ply__read},
+    {.name = "stl", .extensions = "stl", .help = "STL, ASCII or binary, surface elements alone", .flags = FORMAT_SURFACE,
+     .write_or = stl__write_or, .refuses = surface__refuses, .read = stl__read},
     {.name = "png", .extensions = "png", .help = "picture of the mesh", .flags = FORMAT_ALL, .write = png__write},
     {.name = "svg", .extensions = "svg", .help = "picture of the mesh", .flags = FORMAT_ALL, .write = svg__write},
     {.name = "pdf", .extensions = "pdf", .help = "picture of the mesh", .flags = FORMAT_ALL, .write = pdf__write},
@@ -26,7 +45,7 @@ static const Format table[] = {
 const Format *format_at(size_t k) { return k < ARRAY_LEN(table) ? &table[k] : NULL; }
 const char *format_name(const Format *f) { return f->name; }
 const char *format_help(const Format *f) { return f->help; }
-bool format_writes(const Format *f) { return f->write || f->write_files; }
+bool format_writes(const Format *f) { return f->write || f->write_or || f->write_files; }
 bool format_reads(const Format *f) { return f->read || f->read_files; }
 
 const Format *format_find(const char *name)
@@ -69,13 +88,19 @@ static const Format *choose(const char *path, const char *format, Diag *d)
   return f;
 }
 
-static int write_file(const Format *f, const Selection *s, const char *path, const OutOptions *o)
+// 0 or errno; *why is set instead when the mesh cannot be said in the format.
+static int write_file(const Format *f, const Selection *s, const char *path, const OutOptions *o, const char **why)
 {
   if (f->write_files) return f->write_files(path, s, o);
   Writer *w = writer_open(path);
   if (!w) return errno;
-  f->write(w, s, o);
-  return writer_close(w);
+  if (f->write_or)
+    *why = f->write_or(w, s, o);
+  else
+    f->write(w, s, o);
+  if (!*why) return writer_close(w);
+  writer_abandon(w);
+  return 0;
 }
 
 ExitCode out_write(const Mesh *m, const char *path, const char *format, const OutOptions *o, Diag *d)
@@ -89,19 +114,12 @@ ExitCode out_write(const Mesh *m, const char *path, const char *format, const Ou
   OutOptions options = *o;
   if (f->flags & FORMAT_ALL) options.save_all = true;
   Selection s;
-  select__make(&s, m, &options, f->flags & FORMAT_ORPHANS);
+  select__make(&s, m, &options, f->flags);
   const char *why = f->refuses ? f->refuses(&s) : NULL;
-  ExitCode status = EXIT_GOOD;
-  if (why) {
-    diag_error(d, NO_LOC, "%s: %s", path, why);
-    status = EXIT_INPUT;
-  } else {
-    int error = write_file(f, &s, path, &options);
-    if (error) {
-      diag_error(d, NO_LOC, "%s: %s", path, strerror(error));
-      status = EXIT_ENVIRONMENT;
-    }
-  }
+  int error = why ? 0 : write_file(f, &s, path, &options, &why);
+  if (why) diag_error(d, NO_LOC, "%s: %s", path, why);
+  if (error) diag_error(d, NO_LOC, "%s: %s", path, strerror(error));
+  ExitCode status = why ? EXIT_INPUT : error ? EXIT_ENVIRONMENT : EXIT_GOOD;
   select__free(&s);
   return status;
 }
@@ -111,6 +129,7 @@ static const Format *sniff(const char *text, size_t len)
 {
   if (len >= 4 && memcmp(text, "$Mes", 4) == 0) return format_find("msh");
   if (len >= 4 && memcmp(text, "$NOD", 4) == 0) return format_find("msh");
+  if (len >= 9 && memmem(text, MIN(len, (size_t)400), "<VTKFile", 8)) return format_find("vtu");
   if (len >= 14 && memcmp(text, "# vtk DataFile", 14) == 0) return format_find("vtk");
   return NULL;
 }

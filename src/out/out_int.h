@@ -25,12 +25,14 @@ typedef struct {
   uint64_t node0, elem0; // first numbers
 } Selection;
 
-// keep_orphans: nodes of saved entities that no saved element uses are written too.
-void select__make(Selection *s, const Mesh *m, const OutOptions *o, bool keep_orphans);
+// flags: FORMAT_ORPHANS keeps nodes of saved entities that no saved element uses, if everything is saved.
+void select__make(Selection *s, const Mesh *m, const OutOptions *o, unsigned flags);
 void select__free(Selection *s);
 
 enum {
   FORMAT_ORPHANS = 1,  // writes nodes that no element uses, when everything is saved
+  FORMAT_NO_POINTS = 4,// has no elements of dimension 0
+  FORMAT_SURFACE = 8,  // has elements of dimension 2 alone
   FORMAT_ALL = 2,      // the saving rule does not apply: pictures
 };
 
@@ -38,6 +40,7 @@ struct Format {
   const char *name, *extensions, *help; // extensions separated by blanks, without the dot
   unsigned flags;
   void (*write)(Writer *w, const Selection *s, const OutOptions *o);
+  const char *(*write_or)(Writer *w, const Selection *s, const OutOptions *o); // instead: NULL, or why it cannot be written
   int (*write_files)(const char *path, const Selection *s, const OutOptions *o); // instead: several files; errno
   const char *(*refuses)(const Selection *s); // NULL or why this mesh cannot be written
   Mesh *(*read)(const char *text, size_t len, const char *name, Diag *d);
@@ -48,6 +51,27 @@ void msh1__write(Writer *w, const Selection *s, const OutOptions *o);
 void msh2__write(Writer *w, const Selection *s, const OutOptions *o);
 void msh4__write(Writer *w, const Selection *s, const OutOptions *o);
 void vtk__write(Writer *w, const Selection *s, const OutOptions *o);
+#define FORMAT_DECLARE(f)                                               \
+  void f##__write(Writer *w, const Selection *s, const OutOptions *o); \
+  const char *f##__refuses(const Selection *s);                         \
+  Mesh *f##__read(const char *text, size_t len, const char *name, Diag *d);
+FORMAT_DECLARE(medit)
+FORMAT_DECLARE(su2)
+FORMAT_DECLARE(inp)
+FORMAT_DECLARE(unv)
+FORMAT_DECLARE(vtu)
+#define SURFACE_DECLARE(f)                                                        \
+  const char *f##__write_or(Writer *w, const Selection *s, const OutOptions *o); \
+  Mesh *f##__read(const char *text, size_t len, const char *name, Diag *d);
+SURFACE_DECLARE(off)
+SURFACE_DECLARE(obj)
+SURFACE_DECLARE(ply)
+SURFACE_DECLARE(stl)
+const char *surface__refuses(const Selection *s);
+Mesh *vtk__read(const char *text, size_t len, const char *name, Diag *d);
+int triangle__write(const char *path, const Selection *s, const OutOptions *o);
+const char *triangle__refuses(const Selection *s);
+Mesh *triangle__read(const char *path, Diag *d, ExitCode *status);
 void png__write(Writer *w, const Selection *s, const OutOptions *o);
 void svg__write(Writer *w, const Selection *s, const OutOptions *o);
 void pdf__write(Writer *w, const Selection *s, const OutOptions *o);
@@ -58,6 +82,14 @@ Mesh *msh__read(const char *text, size_t len, const char *name, Diag *d);
 void msh__write_names(Writer *w, const Mesh *m);
 // $MeshFormat with the byte-order mark of binary files.
 void msh__write_format(Writer *w, const char *version, const OutOptions *o);
+
+// The one tag of formats with one: the entity's, or its first group's.
+int select__tag(const MeshEntity *e, const OutOptions *o);
+// True if a node is out of the plane z = 0.
+bool select__not_flat(const Selection *s);
+bool select__in_group(const MeshEntity *e, const MeshGroup *g);
+// Name of a group as one word: blanks and the like become underscores; PhysicalLine<tag> and so on if it has none.
+void select__group_name(const MeshGroup *g, char *to, size_t cap);
 
 // VTK's number of an element type, 0 if it has none, and its order of nodes: vtk[i] = ours[perm[i]].
 int vtk__cell_type(ElemType t);

@@ -38,8 +38,9 @@ static void number_nodes(Selection *s)
   free(start);
 }
 
-void select__make(Selection *s, const Mesh *m, const OutOptions *o, bool keep_orphans)
+void select__make(Selection *s, const Mesh *m, const OutOptions *o, unsigned flags)
 {
+  int least = flags & FORMAT_SURFACE ? 2 : flags & FORMAT_NO_POINTS ? 1 : 0; // dimension
   *s = (Selection){.mesh = m, .scale = o->scaling == 0 ? 1 : o->scaling};
   s->node0 = o->first_node ? o->first_node : 1;
   s->elem0 = o->first_element ? o->first_element : 1;
@@ -48,12 +49,12 @@ void select__make(Selection *s, const Mesh *m, const OutOptions *o, bool keep_or
   for (size_t e = 0; e < m->nentity; e++) s->entity[e] = !s->grouped || m->entity[e].physical.len > 0;
   s->block = mem_alloc(m->nblock * sizeof *s->block);
   for (size_t b = 0; b < m->nblock; b++)
-    if (s->entity[m->block[b].entity] && m->block[b].n) {
+    if (s->entity[m->block[b].entity] && m->block[b].n && elem_dim(m->block[b].type) >= least) {
       s->block[s->nblock++] = (uint32_t)b;
       s->nelem += m->block[b].n;
     }
   s->number = mem_alloc(m->nnode * sizeof *s->number);
-  mark_nodes(s, keep_orphans && !s->grouped);
+  mark_nodes(s, (flags & FORMAT_ORPHANS) && !s->grouped);
   number_nodes(s);
 }
 
@@ -88,4 +89,31 @@ void out_warn_dropped(const Mesh *m, const OutOptions *o, Diag *d)
     diag_warning(d, NO_LOC, "%zu of %zu %s are dropped on saving: %s %d%s in no Physical %s (-save_all saves "
                  "everything)", dropped, all, what, dim == 2 ? "face" : "curve", first,
                  entities > 1 ? " and others are" : " is", kind[dim]);
+}
+
+int select__tag(const MeshEntity *e, const OutOptions *o) { return o->element_tag == 2 ? select__physical(e) : e->tag; }
+
+bool select__not_flat(const Selection *s)
+{
+  for (size_t k = 0; k < s->nnode; k++)
+    if (s->mesh->xyz[3 * (size_t)s->node[k] + 2] != 0) return true;
+  return false;
+}
+
+bool select__in_group(const MeshEntity *e, const MeshGroup *g)
+{
+  for (size_t i = 0; e->dim == g->dim && i < e->physical.len; i++)
+    if (abs(e->physical.data[i]) == g->tag) return true;
+  return false;
+}
+
+void select__group_name(const MeshGroup *g, char *to, size_t cap)
+{
+  static const char *const unnamed[] = {"PhysicalPoint", "PhysicalLine", "PhysicalSurface"};
+  if (g->name && *g->name)
+    snprintf(to, cap, "%s", g->name);
+  else
+    snprintf(to, cap, "%s%d", unnamed[g->dim], g->tag);
+  for (char *p = to; *p; p++)
+    if ((unsigned char)*p <= ' ' || *p == ',' || *p == '"' || *p == '=' || *p == '%') *p = '_';
 }
