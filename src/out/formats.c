@@ -29,14 +29,14 @@ static const Format table[] = {
      .write = unv__write, .refuses = unv__refuses, .read = unv__read},
     {.name = "triangle", .extensions = "node ele poly", .help = "the program Triangle's .node, .ele and .poly, together",
      .flags = FORMAT_NO_POINTS, .write_files = triangle__write, .refuses = triangle__refuses, .read_files = triangle__read},
-    {.name = "off", .extensions = "off", .help = "OFF, surface elements alone", .flags = FORMAT_SURFACE, .write_or = off__write_or,
+    {.name = "off", .extensions = "off", .help = "OFF, surface elements alone", .flags = FORMAT_SURFACE, .write = off__write,
      .refuses = surface__refuses, .read = off__read},
     {.name = "obj", .extensions = "obj", .help = "Wavefront OBJ, surface elements alone", .flags = FORMAT_SURFACE,
-     .write_or = obj__write_or, .refuses = surface__refuses, .read = obj__read},
+     .write = obj__write, .refuses = surface__refuses, .read = obj__read},
     {.name = "ply", .extensions = "ply", .help = "PLY, ASCII or binary, surface elements alone", .flags = FORMAT_SURFACE,
-     .write_or = ply__write_or, .refuses = surface__refuses, .read = ply__read},
+     .write = ply__write, .refuses = surface__refuses, .read = ply__read},
     {.name = "stl", .extensions = "stl", .help = "STL, ASCII or binary, surface elements alone", .flags = FORMAT_SURFACE,
-     .write_or = stl__write_or, .refuses = surface__refuses, .read = stl__read},
+     .write = stl__write, .refuses = surface__refuses, .read = stl__read},
     {.name = "png", .extensions = "png", .help = "picture of the mesh", .flags = FORMAT_ALL, .write = png__write},
     {.name = "svg", .extensions = "svg", .help = "picture of the mesh", .flags = FORMAT_ALL, .write = svg__write},
     {.name = "pdf", .extensions = "pdf", .help = "picture of the mesh", .flags = FORMAT_ALL, .write = pdf__write},
@@ -45,7 +45,7 @@ static const Format table[] = {
 const Format *format_at(size_t k) { return k < ARRAY_LEN(table) ? &table[k] : NULL; }
 const char *format_name(const Format *f) { return f->name; }
 const char *format_help(const Format *f) { return f->help; }
-bool format_writes(const Format *f) { return f->write || f->write_or || f->write_files; }
+bool format_writes(const Format *f) { return f->write || f->write_files; }
 bool format_reads(const Format *f) { return f->read || f->read_files; }
 
 const Format *format_find(const char *name)
@@ -88,19 +88,14 @@ static const Format *choose(const char *path, const char *format, Diag *d)
   return f;
 }
 
-// 0 or errno; *why is set instead when the mesh cannot be said in the format.
-static int write_file(const Format *f, const Selection *s, const char *path, const OutOptions *o, const char **why)
+// 0 or errno.
+static int write_file(const Format *f, const Selection *s, const char *path, const OutOptions *o)
 {
   if (f->write_files) return f->write_files(path, s, o);
   Writer *w = writer_open(path);
   if (!w) return errno;
-  if (f->write_or)
-    *why = f->write_or(w, s, o);
-  else
-    f->write(w, s, o);
-  if (!*why) return writer_close(w);
-  writer_abandon(w);
-  return 0;
+  f->write(w, s, o);
+  return writer_close(w);
 }
 
 ExitCode out_write(const Mesh *m, const char *path, const char *format, const OutOptions *o, Diag *d)
@@ -116,7 +111,7 @@ ExitCode out_write(const Mesh *m, const char *path, const char *format, const Ou
   Selection s;
   select__make(&s, m, &options, f->flags);
   const char *why = f->refuses ? f->refuses(&s) : NULL;
-  int error = why ? 0 : write_file(f, &s, path, &options, &why);
+  int error = why ? 0 : write_file(f, &s, path, &options);
   if (why) diag_error(d, NO_LOC, "%s: %s", path, why);
   if (error) diag_error(d, NO_LOC, "%s: %s", path, strerror(error));
   ExitCode status = why ? EXIT_INPUT : error ? EXIT_ENVIRONMENT : EXIT_GOOD;

@@ -40,7 +40,6 @@ struct Format {
   const char *name, *extensions, *help; // extensions separated by blanks, without the dot
   unsigned flags;
   void (*write)(Writer *w, const Selection *s, const OutOptions *o);
-  const char *(*write_or)(Writer *w, const Selection *s, const OutOptions *o); // instead: NULL, or why it cannot be written
   int (*write_files)(const char *path, const Selection *s, const OutOptions *o); // instead: several files; errno
   const char *(*refuses)(const Selection *s); // NULL or why this mesh cannot be written
   Mesh *(*read)(const char *text, size_t len, const char *name, Diag *d);
@@ -60,13 +59,10 @@ FORMAT_DECLARE(su2)
 FORMAT_DECLARE(inp)
 FORMAT_DECLARE(unv)
 FORMAT_DECLARE(vtu)
-#define SURFACE_DECLARE(f)                                                        \
-  const char *f##__write_or(Writer *w, const Selection *s, const OutOptions *o); \
-  Mesh *f##__read(const char *text, size_t len, const char *name, Diag *d);
-SURFACE_DECLARE(off)
-SURFACE_DECLARE(obj)
-SURFACE_DECLARE(ply)
-SURFACE_DECLARE(stl)
+FORMAT_DECLARE(off)
+FORMAT_DECLARE(obj)
+FORMAT_DECLARE(ply)
+FORMAT_DECLARE(stl)
 const char *surface__refuses(const Selection *s);
 Mesh *vtk__read(const char *text, size_t len, const char *name, Diag *d);
 int triangle__write(const char *path, const Selection *s, const OutOptions *o);

@@ -1,12 +1,16 @@
-// surface.c - surface formats: the elements of dimension 2 alone, as polygons of their corners
+// surface.c - OFF, OBJ, PLY and STL: the elements of dimension 2 alone, written and read
 // SPDX-License-Identifier: MIT
+//
+// Written here and not by a library: the one at hand passes coordinates through single precision and does not end on some
+// damaged files. It reads ours in the tests.
 #include "base/base.h"
 
 #include <math.h>
+#include <strings.h>
 
+#include "base/str.h"
 #include "out/import.h"
 #include "out/out_int.h"
-#include "out/surface_io.h"
 
 const char *surface__refuses(const Selection *s)
 {
@@ -15,84 +19,535 @@ const char *surface__refuses(const Selection *s)
   return NULL;
 }
 
-// Text of the file, to be freed; NULL and *why.
-static char *make(const Selection *s, const char *ext, bool binary, size_t *len, const char **why)
+// ---- writing --------------------------------------------------------------------------------------------------------------------
+static char *put_xyz(char *p, Vec3 x)
 {
-  const Mesh *m = s->mesh;
-  SurfacePolygons p = {.nnode = s->nnode};
-  size_t corners = 0;
-  for (size_t i = 0; i < s->nblock; i++) {
-    const MeshBlock *k = &m->block[s->block[i]];
-    p.nface += k->n;
-    corners += k->n * (size_t)elem_corners(k->type);
-  }
-  p.xyz = mem_alloc(3 * p.nnode * sizeof *p.xyz);
-  p.start = mem_alloc((p.nface + 1) * sizeof *p.start);
-  p.vertex = mem_alloc(corners * sizeof *p.vertex);
+  p = put_char(put_double(p, x.x), ' ');
+  p = put_char(put_double(p, x.y), ' ');
+  return put_char(put_double(p, x.z), '\n');
+}
+
+static void write_points(Writer *w, const Selection *s, const char *prefix)
+{
+  size_t n = strlen(prefix);
   for (size_t k = 0; k < s->nnode; k++) {
-    Vec3 x = select__xyz(s, k);
-    memcpy(p.xyz + 3 * k, &x, sizeof x);
+    char *p0 = writer_reserve(w, 160), *p = put_xyz((char *)memcpy(p0, prefix, n) + n, select__xyz(s, k));
+    writer_commit(w, (size_t)(p - p0));
   }
-  size_t f = 0, at = 0;
+}
+
+// "3 a b c" lines, or with a prefix in place of the count.
+static void write_faces(Writer *w, const Selection *s, const MeshBlock *k, const char *prefix, uint64_t base)
+{
+  int n = elem_corners(k->type);
+  for (size_t i = 0; i < k->n; i++) {
+    char *p0 = writer_reserve(w, 160), *p = prefix ? put_char(p0, prefix[0]) : put_u64(p0, (uint64_t)n);
+    for (int a = 0; a < n; a++) p = put_u64(put_char(p, ' '), s->number[k->node[i * (size_t)n + (size_t)a]] + base);
+    p = put_char(p, '\n');
+    writer_commit(w, (size_t)(p - p0));
+  }
+}
+
+void off__write(Writer *w, const Selection *s, const OutOptions *o)
+{
+  (void)o;
+  writer_printf(w, "OFF\n%zu %zu 0\n", s->nnode, s->nelem);
+  write_points(w, s, "");
+  for (size_t i = 0; i < s->nblock; i++) write_faces(w, s, &s->mesh->block[s->block[i]], NULL, 0);
+}
+
+static const MeshGroup *first_group(const Selection *s, const MeshBlock *k)
+{
+  const MeshEntity *e = &s->mesh->entity[k->entity];
+  return e->physical.len ? mesh_find_group(s->mesh, e->dim, abs(e->physical.data[0])) : NULL;
+}
+
+void obj__write(Writer *w, const Selection *s, const OutOptions *o)
+{
+  (void)o;
+  write_points(w, s, "v ");
   for (size_t i = 0; i < s->nblock; i++) {
-    const MeshBlock *k = &m->block[s->block[i]];
-    int n = elem_corners(k->type);
+    const MeshBlock *k = &s->mesh->block[s->block[i]];
+    const MeshGroup *g = first_group(s, k);
+    char name[256];
+    if (g) select__group_name(g, name, sizeof name);
+    if (g) writer_printf(w, "g %s\n", name);
+    write_faces(w, s, k, "f", 1);
+  }
+}
+
+void ply__write(Writer *w, const Selection *s, const OutOptions *o)
+{
+  writer_printf(w, "ply\nformat %s 1.0\nelement vertex %zu\nproperty double x\nproperty double y\nproperty double z\n"
+                "element face %zu\nproperty list uchar int vertex_indices\nend_header\n",
+                o->binary ? "binary_little_endian" : "ascii", s->nnode, s->nelem);
+  if (!o->binary) {
+    write_points(w, s, "");
+    for (size_t i = 0; i < s->nblock; i++) write_faces(w, s, &s->mesh->block[s->block[i]], NULL, 0);
+    return;
+  }
+  for (size_t k = 0; k < s->nnode; k++) {
+    const Vec3 x = select__xyz(s, k);
+    memcpy(writer_reserve(w, sizeof x), &x, sizeof x);
+    writer_commit(w, sizeof x);
+  }
+  for (size_t i = 0; i < s->nblock; i++) {
+    const MeshBlock *k = &s->mesh->block[s->block[i]];
+    size_t n = (size_t)elem_corners(k->type);
     for (size_t j = 0; j < k->n; j++) {
-      p.start[f++] = (uint32_t)at;
-      for (int a = 0; a < n; a++) p.vertex[at++] = s->number[k->node[j * (size_t)n + (size_t)a]];
+      uint32_t v[4];
+      for (size_t a = 0; a < n; a++) v[a] = s->number[k->node[j * n + a]];
+      char *p = writer_reserve(w, 17);
+      *p = (char)n;
+      memcpy(p + 1, v, 4 * n);
+      writer_commit(w, 1 + 4 * n);
     }
   }
-  p.start[f] = (uint32_t)at;
-  char *text = NULL;
-  *why = surface_write(&p, ext, binary, &text, len);
-  free(p.xyz);
-  free(p.start);
-  free(p.vertex);
-  return text;
 }
 
-static const char *write_as(Writer *w, const Selection *s, const OutOptions *o, const char *ext)
+static Vec3 unit_normal(Vec3 a, Vec3 b, Vec3 c)
 {
-  size_t len;
-  const char *why;
-  char *text = make(s, ext, o->binary, &len, &why);
-  if (text) writer_bytes(w, text, len);
-  free(text);
-  return why;
+  Vec3 n = vec3_cross(vec3_sub(b, a), vec3_sub(c, a));
+  double len = vec3_length(n);
+  return len > 0 ? vec3_scale(1 / len, n) : (Vec3){0, 0, 0};
 }
 
-static Mesh *read_as(const char *text, size_t len, const char *name, Diag *d, const char *ext)
+static void write_facet(Writer *w, const Vec3 p[3], bool binary)
 {
-  Scan s = {.p = text, .end = text + len, .begin = text, .name = name, .diag = d, .binary = true};
+  Vec3 n = unit_normal(p[0], p[1], p[2]);
+  if (binary) {
+    float f[12] = {(float)n.x, (float)n.y, (float)n.z};
+    for (int i = 0; i < 3; i++) {
+      f[3 + 3 * i] = (float)p[i].x;
+      f[4 + 3 * i] = (float)p[i].y;
+      f[5 + 3 * i] = (float)p[i].z;
+    }
+    char *q = writer_reserve(w, 50);
+    memcpy(q, f, 48);
+    q[48] = q[49] = 0;
+    writer_commit(w, 50);
+    return;
+  }
+  char *q0 = writer_reserve(w, 800), *q = q0 + snprintf(q0, 100, "facet normal %g %g %g\n  outer loop\n", n.x, n.y, n.z);
+  for (int i = 0; i < 3; i++) q = put_xyz((char *)memcpy(q, "    vertex ", 11) + 11, p[i]);
+  memcpy(q, "  endloop\nendfacet\n", 19);
+  writer_commit(w, (size_t)(q + 19 - q0));
+}
+
+// Quadrangles are split along their first diagonal. Returns the number of facets; writes them if w is not NULL.
+static size_t stl_block(Writer *w, const Selection *s, const MeshBlock *k, bool binary)
+{
+  int corners = elem_corners(k->type);
+  for (size_t i = 0; w && i < k->n; i++) {
+    Vec3 x[4];
+    for (int a = 0; a < corners; a++) x[a] = select__xyz(s, s->number[k->node[i * (size_t)corners + (size_t)a]]);
+    write_facet(w, x, binary);
+    if (corners == 4) write_facet(w, (Vec3[]){x[0], x[2], x[3]}, binary);
+  }
+  return k->n * (size_t)(corners - 2);
+}
+
+static void stl_binary(Writer *w, const Selection *s)
+{
+  char head[80] = "meshgen";
+  uint32_t n = 0;
+  for (size_t i = 0; i < s->nblock; i++) n += (uint32_t)stl_block(NULL, s, &s->mesh->block[s->block[i]], true);
+  writer_bytes(w, head, sizeof head);
+  writer_bytes(w, &n, sizeof n);
+  for (size_t i = 0; i < s->nblock; i++) stl_block(w, s, &s->mesh->block[s->block[i]], true);
+}
+
+void stl__write(Writer *w, const Selection *s, const OutOptions *o)
+{
+  if (o->binary) {
+    stl_binary(w, s);
+    return;
+  }
+  char name[256] = "meshgen", last[256] = "";
+  for (size_t i = 0; i < s->nblock; i++) {
+    const MeshBlock *k = &s->mesh->block[s->block[i]];
+    const MeshGroup *g = first_group(s, k);
+    if (o->stl_solids == 1) snprintf(name, sizeof name, "Surface%d", s->mesh->entity[k->entity].tag);
+    if (o->stl_solids == 2 && g) select__group_name(g, name, sizeof name);
+    if (strcmp(name, last) != 0) {
+      if (i) writer_printf(w, "endsolid %s\n", last);
+      writer_printf(w, "solid %s\n", name);
+      memcpy(last, name, sizeof last);
+    }
+    stl_block(w, s, k, false);
+  }
+  writer_printf(w, "%sendsolid %s\n", s->nblock ? "" : "solid meshgen\n", name);
+}
+
+// ---- reading ----------------------------------------------------------------------------------------------------------------------
+static void begin(Scan *s, Import *im, const char *text, size_t len, const char *name, Diag *d)
+{
+  *s = (Scan){.p = text, .end = text + len, .begin = text, .name = name, .diag = d};
+  import_begin(im, s);
+}
+
+static void face_begin(Import *im, int64_t corners, int entity, int group)
+{
+  if (corners != 3 && corners != 4)
+    scan_error(im->s, "a face of %lld corners (3 and 4 are read)", (long long)corners);
+  else
+    import_element(im, corners == 3 ? ELEM_TRI3 : ELEM_QUAD4, entity, group);
+}
+
+// The next line that is neither empty nor a comment.
+static bool next_line(Scan *s, const char **from, const char **to)
+{
+  while (scan_get_line(s, from, to))
+    if (*from < *to && **from != '#') return true;
+  return false;
+}
+
+Mesh *off__read(const char *text, size_t len, const char *name, Diag *d)
+{
+  Scan s;
   Import im;
-  SurfacePolygons p = {0};
-  import_begin(&im, &s);
-  const char *why = surface_read(&p, ext, text, len);
-  if (why) scan_error(&s, "%s", why);
-  for (size_t i = 0; !why && i < p.nnode && !s.failed; i++) {
-    const double *x = p.xyz + 3 * i;
-    if (!isfinite(x[0] + x[1] + x[2])) scan_error(&s, "point %zu is not finite", i + 1);
-    import_node(&im, i + 1, (Vec3){x[0], x[1], x[2]}, -1, 0, NAN);
+  const char *from, *to;
+  begin(&s, &im, text, len, name, d);
+  if (!next_line(&s, &from, &to) || to - from < 3 || memcmp(from, "OFF", 3) != 0) scan_error(&s, "OFF expected");
+  else if (to - from > 3) s.p = from + 3; // the counts are on the same line
+  while (!s.failed) { // to the counts
+    const char *p = s.p;
+    scan_space(&s);
+    if (s.p < s.end && *s.p == '#') scan_line(&s);
+    else if (s.p == p || s.p >= s.end || *s.p != '#') break;
   }
-  for (size_t f = 0; !why && f < p.nface && !s.failed; f++) {
-    uint32_t n = p.start[f + 1] - p.start[f];
-    if (n != 3 && n != 4) {
-      scan_error(&s, "face %zu has %u corners; 3 and 4 are read", f + 1, n);
-      break;
-    }
-    import_element(&im, n == 3 ? ELEM_TRI3 : ELEM_QUAD4, 1, 0);
-    for (uint32_t k = 0; k < n; k++) import_element_node(&im, p.vertex[p.start[f] + k] + 1u);
+  size_t nodes = scan_count(&s, scan_i64(&s, "the number of points"), 5, "points");
+  size_t faces = scan_count(&s, scan_i64(&s, "the number of faces"), 5, "faces");
+  scan_line(&s);
+  import_reserve_nodes(&im, nodes);
+  for (size_t i = 0; i < nodes && !s.failed; i++) {
+    double x[3];
+    for (int k = 0; k < 3; k++) x[k] = scan_double(&s, "a coordinate");
+    scan_line(&s); // normals and colours
+    import_node(&im, i, (Vec3){x[0], x[1], x[2]}, -1, 0, NAN);
   }
-  free(p.xyz);
-  free(p.start);
-  free(p.vertex);
+  for (size_t f = 0; f < faces && !s.failed; f++) {
+    int64_t n = scan_i64(&s, "a number of corners");
+    face_begin(&im, n, 1, 0);
+    for (int64_t k = 0; k < n && !s.failed; k++) import_element_node(&im, (uint64_t)scan_i64(&s, "a corner"));
+    scan_line(&s);
+  }
   return import_finish(&im);
 }
 
-#define SURFACE_FORMAT(ext)                                                                                        \
-  const char *ext##__write_or(Writer *w, const Selection *s, const OutOptions *o) { return write_as(w, s, o, #ext); } \
-  Mesh *ext##__read(const char *text, size_t len, const char *name, Diag *d) { return read_as(text, len, name, d, #ext); }
-SURFACE_FORMAT(off)
-SURFACE_FORMAT(obj)
-SURFACE_FORMAT(ply)
-SURFACE_FORMAT(stl)
+// "f a b c", "f a/t b/t c/t", "f a//n ...", indices from 1 or from the end if negative.
+static void obj_face(Import *im, Scan *s, const char *p, const char *to, int entity, int group)
+{
+  int64_t v[4], n = 0;
+  while (p < to && !s->failed) {
+    while (p < to && (unsigned char)*p <= ' ') p++;
+    if (p == to) break;
+    int64_t k = 0;
+    const char *q = number_read_i64(p, to, &k);
+    if (q == p || n == 4) {
+      scan_error(s, q == p ? "a corner expected" : "a face of more than 4 corners");
+      return;
+    }
+    v[n++] = k < 0 ? (int64_t)im->mesh->nnode + k + 1 : k;
+    for (p = q; p < to && (unsigned char)*p > ' ';) p++;
+  }
+  face_begin(im, n, entity, group);
+  for (int64_t k = 0; k < n && !s->failed; k++) import_element_node(im, (uint64_t)v[k]);
+}
+
+Mesh *obj__read(const char *text, size_t len, const char *name, Diag *d)
+{
+  Scan s;
+  Import im;
+  const char *from, *to;
+  int group = 0;
+  begin(&s, &im, text, len, name, d);
+  while (!s.failed && next_line(&s, &from, &to)) {
+    bool blank = to - from > 1 && (from[1] == ' ' || from[1] == '\t');
+    if (blank && from[0] == 'v') {
+      Scan line = s;
+      double x[3];
+      line.p = from + 1;
+      line.end = to;
+      for (int k = 0; k < 3; k++) x[k] = scan_double(&line, "a coordinate");
+      s.failed = line.failed;
+      import_node(&im, im.mesh->nnode + 1, (Vec3){x[0], x[1], x[2]}, -1, 0, NAN);
+    } else if (blank && from[0] == 'f') {
+      obj_face(&im, &s, from + 1, to, MAX(group, 1), group);
+    } else if (blank && from[0] == 'g') {
+      char label[256];
+      const char *p = from + 1;
+      while (p < to && (unsigned char)*p <= ' ') p++;
+      snprintf(label, sizeof label, "%.*s", (int)(to - p), p);
+      group = *label ? import_group_named(&im, 2, label) : 0;
+    }
+  }
+  if (!s.failed && !im.mesh->nnode) scan_error(&s, "no line begins with v");
+  return import_finish(&im);
+}
+
+// ---- PLY --------------------------------------------------------------------------------------------------------------------------
+enum { PLY_MAX_PROPERTIES = 64 };
+
+typedef struct {
+  int size, count;      // bytes; of the count if it is a list, else 0
+  bool real, sign, csign;
+  int role;             // 1, 2, 3: x, y, z; 4: the corners; 0: not wanted
+} Property;
+
+typedef struct {
+  char name[32];
+  int64_t n;
+  int nproperty;
+  Property property[PLY_MAX_PROPERTIES];
+} Element;
+
+static int ply_type(const char *word, bool *real, bool *sign)
+{
+  static const struct { const char *name; int size; bool real, sign; } types[] = {
+      {"char", 1, false, true}, {"int8", 1, false, true}, {"uchar", 1, false, false}, {"uint8", 1, false, false},
+      {"short", 2, false, true}, {"int16", 2, false, true}, {"ushort", 2, false, false}, {"uint16", 2, false, false},
+      {"int", 4, false, true}, {"int32", 4, false, true}, {"uint", 4, false, false}, {"uint32", 4, false, false},
+      {"float", 4, true, true}, {"float32", 4, true, true}, {"double", 8, true, true}, {"float64", 8, true, true},
+  };
+  for (size_t i = 0; i < ARRAY_LEN(types); i++) {
+    if (strcmp(types[i].name, word) != 0) continue;
+    *real = types[i].real;
+    *sign = types[i].sign;
+    return types[i].size;
+  }
+  return 0;
+}
+
+static double ply_number(Scan *s, int size, bool real, bool sign)
+{
+  if (!s->binary) return scan_double(s, "a number");
+  const char *p = scan_bytes(s, (size_t)size, "a number");
+  unsigned char b[8] = {0};
+  for (int i = 0; p && i < size; i++) b[i] = (unsigned char)p[s->swap ? size - 1 - i : i];
+  uint64_t u;
+  memcpy(&u, b, 8);
+  double v;
+  float f;
+  if (real && size == 8) {
+    memcpy(&v, b, 8);
+    return v;
+  }
+  if (real) {
+    memcpy(&f, b, 4);
+    return (double)f;
+  }
+  return sign ? (double)((int64_t)(u << (64 - 8 * size)) >> (64 - 8 * size)) : (double)u;
+}
+
+static void ply_property(Scan *s, Element *e)
+{
+  char word[64];
+  bool ignored;
+  if (e->nproperty == PLY_MAX_PROPERTIES) {
+    scan_error(s, "more than %d properties", PLY_MAX_PROPERTIES);
+    return;
+  }
+  Property *p = &e->property[e->nproperty++];
+  *p = (Property){0};
+  scan_word(s, word, sizeof word);
+  if (strcmp(word, "list") == 0) {
+    scan_word(s, word, sizeof word);
+    p->count = ply_type(word, &ignored, &p->csign);
+    if (!p->count || ignored) scan_error(s, "a list counted by '%s'", word);
+    scan_word(s, word, sizeof word);
+  }
+  p->size = ply_type(word, &p->real, &p->sign);
+  if (!p->size) scan_error(s, "a property of type '%s'", word);
+  scan_word(s, word, sizeof word);
+  if (!p->count && strlen(word) == 1 && word[0] >= 'x' && word[0] <= 'z') p->role = word[0] - 'x' + 1;
+  if (p->count && (strcmp(word, "vertex_indices") == 0 || strcmp(word, "vertex_index") == 0)) p->role = 4;
+}
+
+// Returns the number of elements described.
+static int ply_header(Scan *s, Element *e, int most)
+{
+  char word[64];
+  int n = 0;
+  bool binary = false;
+  scan_word(s, word, sizeof word);
+  if (strcmp(word, "ply") != 0) scan_error(s, "ply expected");
+  for (scan_line(s); !s->failed; scan_line(s)) {
+    scan_word(s, word, sizeof word);
+    if (strcmp(word, "end_header") == 0) break;
+    if (strcmp(word, "format") == 0) {
+      scan_word(s, word, sizeof word);
+      binary = strcmp(word, "ascii") != 0;
+      s->swap = strcmp(word, "binary_big_endian") == 0;
+    } else if (strcmp(word, "element") == 0 && n < most) {
+      e[n] = (Element){.nproperty = 0};
+      scan_word(s, e[n].name, sizeof e[n].name);
+      e[n++].n = scan_range(s, 0, INT32_MAX, "count");
+    } else if (strcmp(word, "property") == 0 && n) {
+      ply_property(s, &e[n - 1]);
+    } else if (!*word) {
+      scan_error(s, "end_header expected");
+    }
+  }
+  scan_line(s);
+  s->binary = binary;
+  return n;
+}
+
+// One vertex, face or other thing.
+static void ply_item(Scan *s, Import *im, const Element *e, bool vertex, bool face)
+{
+  double x[3] = {0, 0, 0};
+  for (int k = 0; k < e->nproperty && !s->failed; k++) {
+    const Property *p = &e->property[k];
+    double n = p->count ? ply_number(s, p->count, false, p->csign) : 1;
+    if (!(n >= 0 && n <= 1e9)) {
+      scan_error(s, "a list of %g things", n);
+      return;
+    }
+    bool corners = face && p->role == 4;
+    if (corners) face_begin(im, (int64_t)n, 1, 0);
+    for (int64_t i = 0; i < (int64_t)n && !s->failed; i++) {
+      double v = ply_number(s, p->size, p->real, p->sign);
+      if (corners) import_element_node(im, v >= 0 && v < 4e9 ? (uint64_t)v : UINT64_MAX);
+      if (vertex && p->role >= 1 && p->role <= 3) x[p->role - 1] = v;
+    }
+  }
+  if (!vertex || s->failed) return;
+  if (!isfinite(x[0] + x[1] + x[2])) scan_error(s, "a coordinate is not finite");
+  import_node(im, im->mesh->nnode, (Vec3){x[0], x[1], x[2]}, -1, 0, NAN);
+}
+
+Mesh *ply__read(const char *text, size_t len, const char *name, Diag *d)
+{
+  enum { MOST = 16 };
+  Scan s;
+  Import im;
+  begin(&s, &im, text, len, name, d);
+  Element *e = mem_zalloc(MOST * sizeof *e);
+  int n = ply_header(&s, e, MOST);
+  for (int k = 0; k < n; k++) {
+    bool vertex = strcmp(e[k].name, "vertex") == 0, face = strcmp(e[k].name, "face") == 0;
+    if (!e[k].nproperty) continue;
+    size_t count = scan_count(&s, e[k].n, 1, "elements");
+    for (size_t i = 0; i < count && !s.failed; i++) ply_item(&s, &im, &e[k], vertex, face);
+  }
+  free(e);
+  return import_finish(&im);
+}
+
+// ---- STL --------------------------------------------------------------------------------------------------------------------------
+// Points of equal coordinates are one: buckets of equal hash, chained.
+typedef struct {
+  Map first;
+  U32Vec next;
+} PointMap;
+
+static uint32_t point_of(PointMap *map, Import *im, Vec3 x)
+{
+  double c[3] = {x.x + 0.0, x.y + 0.0, x.z + 0.0};
+  uint64_t b[3], h = 0;
+  bool added;
+  memcpy(b, c, sizeof b);
+  for (int i = 0; i < 3; i++) h = (h ^ b[i] ^ b[i] >> 31) * 0x9e3779b97f4a7c15u;
+  uint32_t *slot = map_slot(&map->first, h >> 1, NONE, &added);
+  for (uint32_t k = *slot; k != NONE; k = map->next.data[k]) {
+    Vec3 y = mesh_xyz(im->mesh, k);
+    if (x.x == y.x && x.y == y.y && x.z == y.z) return k;
+  }
+  uint32_t k = (uint32_t)im->mesh->nnode;
+  vec_push(&map->next, *slot);
+  *slot = k;
+  import_node(im, k, x, -1, 0, NAN);
+  return k;
+}
+
+static void add_facet(PointMap *map, Import *im, const Vec3 p[3], int solid, int group)
+{
+  uint32_t v[3];
+  if (im->s->failed) return;
+  for (int i = 0; i < 3; i++) {
+    if (!isfinite(p[i].x + p[i].y + p[i].z)) scan_error(im->s, "a coordinate is not finite");
+    if (im->s->failed) return;
+    v[i] = point_of(map, im, p[i]);
+  }
+  import_element(im, ELEM_TRI3, solid, group);
+  for (int i = 0; i < 3; i++) import_element_node(im, v[i]);
+}
+
+static void read_stl_binary(Scan *s, Import *im, PointMap *map)
+{
+  s->binary = true;
+  scan_bytes(s, 80, "the header");
+  size_t n = scan_count(s, (int64_t)(uint32_t)scan_b32(s, "the number of facets"), 50, "facets");
+  for (size_t i = 0; i < n && !s->failed; i++) {
+    float f[12];
+    Vec3 p[3];
+    memcpy(f, scan_bytes(s, 50, "a facet"), sizeof f);
+    for (int k = 0; k < 3; k++) p[k] = (Vec3){(double)f[3 + 3 * k], (double)f[4 + 3 * k], (double)f[5 + 3 * k]};
+    add_facet(map, im, p, 1, 0);
+  }
+}
+
+// Each solid is an entity; where there are several, each is a group of its name.
+static void read_stl_text(Scan *s, Import *im, PointMap *map, size_t solids)
+{
+  char word[64];
+  int solid = 0, group = 0;
+  for (scan_word(s, word, sizeof word); *word && !s->failed; scan_word(s, word, sizeof word)) {
+    if (strcasecmp(word, "solid") == 0) {
+      const char *from, *to;
+      char label[256];
+      solid++;
+      if (!scan_get_line(s, &from, &to)) break;
+      snprintf(label, sizeof label, "%.*s", (int)(to - from), from);
+      group = solids > 1 && *label ? import_group_named(im, 2, label) : 0;
+    } else if (strcasecmp(word, "facet") == 0) {
+      Vec3 p[3];
+      scan_line(s);
+      scan_line(s); // outer loop
+      for (int i = 0; i < 3 && !s->failed; i++) {
+        scan_word(s, word, sizeof word);
+        if (strcasecmp(word, "vertex") != 0) scan_error(s, "vertex expected, found '%s'", word);
+        double x = scan_double(s, "a coordinate"), y = scan_double(s, "a coordinate"), z = scan_double(s, "a coordinate");
+        p[i] = (Vec3){x, y, z};
+      }
+      add_facet(map, im, p, MAX(solid, 1), group);
+    } else if (strcasecmp(word, "endsolid") == 0) {
+      scan_line(s);
+    } else if (strcasecmp(word, "endloop") != 0 && strcasecmp(word, "endfacet") != 0) {
+      scan_error(s, "'%s' is not known", word);
+    }
+  }
+}
+
+static size_t count_solids(const char *text, size_t len)
+{
+  size_t n = 0;
+  const char *p = text, *end = text + len;
+  while (p && p < end) {
+    if (end - p > 5 && strncasecmp(p, "solid", 5) == 0) n++;
+    p = memchr(p, '\n', (size_t)(end - p));
+    if (p) p++;
+  }
+  return n;
+}
+
+Mesh *stl__read(const char *text, size_t len, const char *name, Diag *d)
+{
+  Scan s;
+  Import im;
+  PointMap map = {0};
+  begin(&s, &im, text, len, name, d);
+  // Binary files may begin with "solid" too; their length tells.
+  uint32_t n = 0;
+  if (len >= 84) memcpy(&n, text + 80, sizeof n);
+  bool binary = len < 5 || strncasecmp(text, "solid", 5) != 0 || (len >= 84 && len == 84 + 50 * (size_t)n);
+  if (binary)
+    read_stl_binary(&s, &im, &map);
+  else
+    read_stl_text(&s, &im, &map, count_solids(text, len));
+  map_free(&map.first);
+  vec_free(&map.next);
+  return import_finish(&im);
+}

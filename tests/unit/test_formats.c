@@ -49,7 +49,7 @@ static void assert_hash(const uint64_t a[2], const uint64_t b[2], const char *wh
 typedef struct {
   const char *name;
   bool points, lines, quads, groups, several, names;
-  bool exact; // coordinates to the bit
+  bool exact; // coordinates, to the bit
 } Holds;
 
 static const Holds holds[] = {
@@ -66,7 +66,7 @@ static const Holds holds[] = {
     {"off", false, false, true, false, false, false, true},
     {"obj", false, false, true, false, false, false, true},
     {"ply", false, false, true, false, false, false, true},
-    {"stl", false, false, false, false, false, false, false},
+    {"stl", false, false, false, false, false, false, true}, // if ASCII
 };
 
 // The sample without what the format cannot hold.
@@ -104,7 +104,7 @@ static void every_format_gives_back_what_it_holds(void **state)
       OutOptions o = {.binary = kind & 2, .element_tag = kind & 1 ? 2 : 1};
       Mesh *back = round_trip(m, h->name, &o);
       MeshHash want = mesh_hash(m, false), got = mesh_hash(back, false);
-      if (!h->exact) {
+      if (!h->exact || (strcmp(h->name, "stl") == 0 && o.binary)) {
         assert_int_equal(mesh_count(back, 2), mesh_count(m, 2));
       } else {
         assert_hash(got.shape, want.shape, h->name);
@@ -135,7 +135,7 @@ static void groups_by_name(void **state)
         if (*p == ' ' && f < 3) *p = '_';
       for (size_t j = 0; j < b.group.len; j++) {
         const PartStats *y = &b.group.data[j];
-        if (y->dim != x->dim || (y->name && strcmp(y->name, name) != 0) || (!y->name && y->tag != 4)) continue;
+        if (y->dim != x->dim || strcmp(y->name ? y->name : "PhysicalLine4", name) != 0) continue;
         found++;
         assert_int_equal(x->elements, y->elements);
         assert_true(fabs(x->size - y->size) < 1e-14);
@@ -173,7 +173,7 @@ static void high_order(void **state)
     }
     for (int binary = 0; binary < 2; binary++) {
       Mesh *back = round_trip(m, cases[c].format, &(OutOptions){.binary = binary});
-      assert_hash(mesh_hash(back, false).full, mesh_hash(m, false).full, cases[c].format);
+      assert_hash(mesh_hash(back, false).shape, mesh_hash(m, false).shape, cases[c].format);
       mesh_free(back);
     }
     mesh_free(m);
