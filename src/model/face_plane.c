@@ -172,6 +172,22 @@ static bool curves_are_built(const Model *m, const IntVec *curve)
   return true;
 }
 
+// A loop that crosses itself may have no area in sum, yet lie in a plane: that of three of its points. False if they are all on
+// a line.
+static bool any_normal(const Vec3Vec *p, double size, Vec3 *n)
+{
+  for (size_t i = 1; i < p->len; i++) {
+    Vec3 d = vec3_sub(p->data[i], p->data[0]);
+    if (!(vec3_length(d) > 1e-9 * size)) continue;
+    for (size_t j = i + 1; j < p->len; j++) {
+      *n = vec3_cross(d, vec3_sub(p->data[j], p->data[0]));
+      if (vec3_length(*n) > 1e-13 * size * size) return true;
+    }
+    return false;
+  }
+  return false;
+}
+
 bool face__build(Model *m, Face *f, double tolerance, Diag *diag)
 {
   IntVec curve = {0}, start = {0};
@@ -187,14 +203,14 @@ bool face__build(Model *m, Face *f, double tolerance, Diag *diag)
     sample(m, curve.data, (size_t)start.data[1], &p);
     double largest, size = extent(&p, &largest);
     Vec3 n = newell(p.data, p.len);
-    bool flat = vec3_length(n) > 1e-13 * size * size;
+    bool flat = vec3_length(n) > 1e-13 * size * size || any_normal(&p, size, &n);
     if (!flat) n = (Vec3){0, 0, 1};
     sample(m, curve.data + start.data[1], curve.len - (size_t)start.data[1], &p);
     if (!coordinate_frame(f, &p, n)) general_frame(f, &p, n);
     double off = off_plane(f, &p);
     f->planar = flat && off <= tolerance * size + 8 * 2.2e-16 * largest;
     if (!flat && f->type == FACE_PLANE) {
-      diag_error(diag, f->loc, "the outer loop %d of surface %d encloses no area", tag__abs(f->loop[0]), f->tag);
+      diag_error(diag, f->loc, "the outer loop %d of surface %d lies on a line and encloses no area", tag__abs(f->loop[0]), f->tag);
       good = false;
     } else if (f->type == FACE_PLANE && off > 1e-3 * size) {
       diag_warning(diag, f->loc, "surface %d is not plane: its boundary is up to %.6g off its mean plane", f->tag, off);
