@@ -43,7 +43,7 @@ static void sort_unique(IntVec *v)
   bool ascending = true;
   for (size_t i = 1; i < v->len && ascending; i++) ascending = v->data[i - 1] < v->data[i];
   if (ascending) return;
-  qsort(v->data, v->len, sizeof *v->data, by_value);
+  if (v->len) qsort(v->data, v->len, sizeof *v->data, by_value);
   size_t n = 0;
   for (size_t i = 0; i < v->len; i++)
     if (!n || v->data[n - 1] != v->data[i]) v->data[n++] = v->data[i];
@@ -481,7 +481,7 @@ static void boundary_set(const Model *m, const Face *f, IntVec *out)
     const Loop *l = model_loop(m, f->loop[i]);
     for (int j = 0; j < l->ncurve; j++) vec_push(out, tag__abs(l->curve[j]));
   }
-  qsort(out->data, out->len, sizeof(int), by_value);
+  if (out->len) qsort(out->data, out->len, sizeof(int), by_value);
 }
 
 static bool same_face(const Model *m, const Face *a, const Face *b)

@@ -84,7 +84,7 @@ static int chain(Ends *e, bool flip, IntVec *out, IntVec *flipped)
 
 static void adopt(Model *m, Loop *l, const IntVec *out)
 {
-  memmove(l->curve, out->data, out->len * sizeof(int));
+  if (out->len) memmove(l->curve, out->data, out->len * sizeof(int));
   l->sorted = true;
   for (int i = 0; i < l->ncurve; i++) model_curve(m, l->curve[i])->in_loops++;
 }

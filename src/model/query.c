@@ -41,7 +41,7 @@ static int by_shape(const void *a, const void *b)
 // Keep what occurs an odd number of times, each once, by tag.
 static void combine(ShapeVec *v, size_t from)
 {
-  qsort(v->data + from, v->len - from, sizeof *v->data, by_shape);
+  if (v->len > from) qsort(v->data + from, v->len - from, sizeof *v->data, by_shape);
   size_t n = from;
   for (size_t i = from; i < v->len;) {
     size_t k = i;

@@ -117,7 +117,7 @@ void table__sort(Table *t)
     TagSlot ts = {tag, s};
     vec_push(&all, ts);
   }
-  if (!ascending) qsort(all.data, all.len, sizeof *all.data, by_tag);
+  if (!ascending && all.len) qsort(all.data, all.len, sizeof *all.data, by_tag);
   vec_resize(&t->order, all.len);
   for (size_t i = 0; i < all.len; i++) t->order.data[i] = all.data[i].slot;
   vec_free(&all);

@@ -8,7 +8,7 @@ const char *node_kind_name(NodeKind kind)
 {
   static const char *const names[] = {
 #define X(kind) #kind,
-    NODE_KINDS(X)
+      NODE_KINDS(X)
 #undef X
   };
   return names[kind];
@@ -19,9 +19,10 @@ static void print_op(int op, Str *out)
   static const struct {
     int op;
     const char *text;
-  } names[] = {{TOK_ADD_TO, "+="}, {TOK_SUB_FROM, "-="}, {TOK_MUL_BY, "*="}, {TOK_DIV_BY, "/="}, {TOK_INC, "++"},
-               {TOK_DEC, "--"},    {TOK_EQ, "=="},       {TOK_NE, "!="},     {TOK_LE, "<="},     {TOK_GE, ">="},
-               {TOK_AND, "&&"},    {TOK_OR, "||"},       {TOK_SHIFT_LEFT, "<<"}, {TOK_SHIFT_RIGHT, ">>"}};
+  } names[] = {{TOK_ADD_TO, "+="},     {TOK_SUB_FROM, "-="},   {TOK_MUL_BY, "*="}, {TOK_DIV_BY, "/="},
+               {TOK_INC, "++"},        {TOK_DEC, "--"},        {TOK_EQ, "=="},     {TOK_NE, "!="},
+               {TOK_LE, "<="},         {TOK_GE, ">="},         {TOK_AND, "&&"},    {TOK_OR, "||"},
+               {TOK_SHIFT_LEFT, "<<"}, {TOK_SHIFT_RIGHT, ">>"}};
   if (op < 256) {
     str_char(out, (char)op);
     return;
@@ -105,7 +106,8 @@ void node_print(const Node *n, const Words *words, Str *out)
   case NODE_COMPOUND: str_printf(out, " %d", n->op); break;
   default: break;
   }
-  if (n->flags & LIST_PHYSICAL && (n->kind == NODE_SHAPE || n->kind == NODE_ENTITIES)) str_append(out, " physical");
+  if (n->flags & LIST_PHYSICAL && (n->kind == NODE_SHAPE || n->kind == NODE_ENTITIES))
+    str_append(out, " physical");
   for (uint32_t i = 0; i < n->n; i++) {
     str_char(out, ' ');
     node_print(n->kid[i], words, out);

@@ -8,7 +8,7 @@
 #include "script/fold.h"
 #include "script/function.h"
 
-// ---- numbers ------------------------------------------------------------------------------------------------------------
+// ---- numbers ---------------------------------------------
 
 static double variable_value(Script *s, uint32_t word, SrcLoc loc)
 {
@@ -140,7 +140,8 @@ double eval_number(Script *s, const Node *n)
   switch ((NodeKind)n->kind) {
   case NODE_NUMBER: return n->number;
   case NODE_NAME: {
-    if (LIKELY(n->word < s->var.len && s->var.data[n->word].kind == VAR_SCALAR)) return s->var.data[n->word].value;
+    if (LIKELY(n->word < s->var.len && s->var.data[n->word].kind == VAR_SCALAR))
+      return s->var.data[n->word].value;
     return variable_value(s, n->word, n->loc);
   }
   case NODE_DYNAME:
@@ -188,21 +189,21 @@ Vec3 eval_vector(Script *s, const Node *n)
   DoubleVec *v = script__take(s);
   eval_list(s, n, v);
   Vec3 r = {0, 0, 0};
-  if (v->len >= 3)
-    r = (Vec3){v->data[0], v->data[1], v->data[2]};
+  if (v->len >= 3) r = (Vec3){v->data[0], v->data[1], v->data[2]};
   if (v->len != 3) script__error(s, n->loc, "a vector needs 3 components {x, y, z}; %zu given", v->len);
   script__give(s, v);
   return r;
 }
 
-// ---- lists ----------------------------------------------------------------------------------------------------------------
+// ---- lists ---------------------------------------------
 
 static void range_list(Script *s, const Node *n, DoubleVec *out)
 {
   double a = eval_number(s, n->kid[0]), b = eval_number(s, n->kid[1]);
   double step = n->kid[2] ? eval_number(s, n->kid[2]) : b < a ? -1 : 1;
   if (step == 0 || !isfinite(a) || !isfinite(b) || !isfinite(step)) {
-    script__error(s, n->loc, step == 0 ? "the step of a range cannot be 0" : "the bounds of a range must be finite");
+    script__error(s, n->loc,
+                  step == 0 ? "the step of a range cannot be 0" : "the bounds of a range must be finite");
     return;
   }
   double count = floor((b - a) / step) + 1;
@@ -324,7 +325,8 @@ static void in_box_list(Script *s, const Node *n, DoubleVec *out)
   DoubleVec *v = script__take(s);
   eval_list(s, n->kid[0], v);
   if (v->len != 6) {
-    script__error(s, n->loc, "a bounding box needs 6 numbers {xmin,ymin,zmin, xmax,ymax,zmax}; %zu given", v->len);
+    script__error(s, n->loc, "a bounding box needs 6 numbers {xmin,ymin,zmin, xmax,ymax,zmax}; %zu given",
+                  v->len);
   } else {
     const double *b = v->data;
     IntVec tags = {0};

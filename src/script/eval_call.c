@@ -13,7 +13,7 @@
 #include "script/fold.h"
 #include "script/function.h"
 
-// ---- numbers -----------------------------------------------------------------------------------------------------------
+// ---- numbers ---------------------------------------------
 
 static double name_exists(Script *s, const Node *name)
 {
@@ -77,13 +77,14 @@ double call_number(Script *s, const Node *n)
   return 0;
 }
 
-// ---- lists -----------------------------------------------------------------------------------------------------------------
+// ---- lists ---------------------------------------------
 
 static void spaced(Script *s, const Node *n, DoubleVec *out)
 {
   double a = eval_number(s, n->kid[0]), b = eval_number(s, n->kid[1]), count = eval_number(s, n->kid[2]);
   if (!(count >= 0 && count + (double)out->len <= LIMIT_LIST)) {
-    script__error(s, n->loc, "%s of %g members (the limit is %d)", words_text(&s->words, n->word), count, LIMIT_LIST);
+    script__error(s, n->loc, "%s of %g members (the limit is %d)", words_text(&s->words, n->word), count,
+                  LIMIT_LIST);
     return;
   }
   int m = (int)count;
@@ -151,11 +152,12 @@ void call_list(Script *s, const Node *n, DoubleVec *out)
     return;
   }
   case KW_Catenary: script__error(s, n->loc, "Catenary is not supported"); return;
-  default: script__error(s, n->loc, "%s gives texts, numbers are needed here", words_text(&s->words, n->word));
+  default:
+    script__error(s, n->loc, "%s gives texts, numbers are needed here", words_text(&s->words, n->word));
   }
 }
 
-// ---- texts -----------------------------------------------------------------------------------------------------------------
+// ---- texts ---------------------------------------------
 
 static const char *keep(Script *s, Str *text)
 {
@@ -303,7 +305,8 @@ const char *call_text(Script *s, const Node *n)
     return arena_strdup(&s->temp, text);
   }
   case KW_OnelabAction: return "compute";
-  case KW_GmshExecutableName: return s->options->General_ExecutableFileName ? s->options->General_ExecutableFileName : "meshgen";
+  case KW_GmshExecutableName:
+    return s->options->General_ExecutableFileName ? s->options->General_ExecutableFileName : "meshgen";
   default: UNREACHABLE();
   }
 }

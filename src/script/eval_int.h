@@ -69,7 +69,7 @@ struct Script {
 
 typedef enum { FLOW_NEXT, FLOW_RETURN, FLOW_STOP } Flow;
 
-// ---- state (state.c) --------------------------------------------------------------------------------------------------
+// ---- state (state.c) ---------------------------------------------
 void script__error(Script *s, SrcLoc loc, const char *fmt, ...) PRINTF_LIKE(3, 4); // and count a fault
 // Add work; false after reporting that the script does too much. What stands outside loops is free.
 bool script__charge(Script *s, uint64_t work, SrcLoc loc);
@@ -89,7 +89,7 @@ DoubleVec *script__take(Script *s);        // an empty vector; give back in reve
 void script__give(Script *s, DoubleVec *v);
 char *script__path(Script *s, const char *name); // relative to the folder of the running file; in s->temp
 
-// ---- values (eval.c, eval_list.c, eval_text.c, eval_call.c) ----------------------------------------------------------------
+// ---- values (eval.c, eval_list.c, eval_text.c, eval_call.c) ---------------------------------------------
 double eval_number(Script *s, const Node *n);
 void eval_list(Script *s, const Node *n, DoubleVec *out);          // appends
 void eval_ints(Script *s, const Node *n, int dim, IntVec *out);    // appends; ALL: the tags of dim (dim < 0: an error)
@@ -110,7 +110,7 @@ double option_number(Script *s, const Node *n);
 const char *option_text(Script *s, const Node *n);
 bool option_is_text(Script *s, const Node *n);
 
-// ---- statements ----------------------------------------------------------------------------------------------------------
+// ---- statements ---------------------------------------------
 Flow run_statement(Script *s, const Node *n);
 Flow run_block(Script *s, const Node *block);
 Flow run_call(Script *s, const Node *n);

@@ -50,8 +50,8 @@ static const char *variable_text(Script *s, const Node *name, int index)
   const Variable *v = word == NONE ? NULL : script__variable(s, word);
   if (v && index >= 0 && (uint32_t)index < v->ntext) return arena_strdup(&s->temp, v->text[index]);
   if (v && v->ntext)
-    script__error(s, name->loc, "'%s[%d]' does not exist: the list has %u members", words_text(&s->words, word), index,
-                  v->ntext);
+    script__error(s, name->loc, "'%s[%d]' does not exist: the list has %u members",
+                  words_text(&s->words, word), index, v->ntext);
   else if (v && v->kind)
     script__error(s, name->loc, "'%s' is a number, a text is needed here", words_text(&s->words, word));
   else
@@ -142,7 +142,7 @@ void eval_texts(Script *s, const Node *n, TextVec *out)
   vec_push(out, eval_text(s, n));
 }
 
-// ---- formats ------------------------------------------------------------------------------------------------------------
+// ---- formats ---------------------------------------------
 
 // One conversion at f[0] == '%'. Returns past it, or NULL if it is none that numbers can have.
 static const char *convert(const char *f, double v, Str *out)
@@ -206,7 +206,8 @@ void format_numbers(Script *s, SrcLoc loc, const char *format, const double *val
     }
     const char *next = convert(f, value[used], out);
     if (!next) {
-      script__error(s, loc, "'%%%c' in this format is not for numbers; %%g, %%e and %%f are", f[1] ? f[1] : ' ');
+      script__error(s, loc, "'%%%c' in this format is not for numbers; %%g, %%e and %%f are",
+                    f[1] ? f[1] : ' ');
       return;
     }
     used++;

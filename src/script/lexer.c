@@ -9,19 +9,21 @@
 
 enum { BLANK = 1, DIGIT = 2, LETTER = 4, SIGN = 8 };
 
+// clang-format off
 static const unsigned char class_of[256] = {
   [' '] = BLANK, ['\t'] = BLANK, ['\r'] = BLANK, ['\f'] = BLANK, ['\v'] = BLANK, [0] = BLANK,
   ['0'] = DIGIT, DIGIT, DIGIT, DIGIT, DIGIT, DIGIT, DIGIT, DIGIT, DIGIT, DIGIT,
-  ['A'] = LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER,
-  LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER,
-  ['a'] = LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER,
-  LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER,
+  ['A'] = LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER,
+  LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER,
+  ['a'] = LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER,
+  LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER,
   ['_'] = LETTER,
   ['+'] = SIGN, ['-'] = SIGN, ['*'] = SIGN, ['/'] = SIGN, ['%'] = SIGN, ['^'] = SIGN, ['('] = SIGN, [')'] = SIGN,
   ['['] = SIGN, [']'] = SIGN, ['{'] = SIGN, ['}'] = SIGN, [','] = SIGN, [';'] = SIGN, ['.'] = SIGN, ['#'] = SIGN,
   ['~'] = SIGN, ['!'] = SIGN, ['<'] = SIGN, ['>'] = SIGN, ['='] = SIGN, ['&'] = SIGN, ['|'] = SIGN, ['?'] = SIGN,
   [':'] = SIGN,
 };
+// clang-format on
 
 static bool is(char c, int classes) { return class_of[(unsigned char)c] & classes; }
 
@@ -57,7 +59,7 @@ static bool skip_blanks(Lexer *l)
       l->at = eol ? eol : l->end;
     } else if (c == '/' && l->at + 1 < l->end && l->at[1] == '*') {
       Lexer open = *l;
-      for (l->at += 2;; ) {
+      for (l->at += 2;;) {
         if (l->end - l->at < 2) {
           *l = open;
           return false;
@@ -81,8 +83,8 @@ static Token bad(Lexer *l, Token t, const char *problem)
   return t;
 }
 
-// The value of digits[.digits] without exponent: exact when the digits are an integer below 2^53 and the power of ten is
-// exact too [Clinger1990]; otherwise left to number_read.
+// The value of digits[.digits] without exponent: exact when the digits are an integer below 2^53 and the
+// power of ten is exact too; otherwise left to number_read.
 static double decimal_value(const char *s, const char *end, bool simple)
 {
   static const double tens[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,

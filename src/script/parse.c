@@ -22,7 +22,7 @@ void parser_free(Parser *p)
   str_free(&p->error);
 }
 
-// ---- errors ---------------------------------------------------------------------------------------------------------
+// ---- errors ---------------------------------------------
 
 void parse__fail(Parser *p, SrcLoc loc, const char *fmt, ...)
 {
@@ -45,7 +45,8 @@ static void describe(const Parser *p, const Token *t, Str *out)
     str_append(out, "a string");
   else
     str_printf(out, "'%.*s'", (int)MIN(t->len, (size_t)40), t->start);
-  if (t->kind == TOK_WORD && keyword_reserved(t->word) && p->lexer.words) str_append(out, ", a word of the language");
+  if (t->kind == TOK_WORD && keyword_reserved(t->word) && p->lexer.words)
+    str_append(out, ", a word of the language");
 }
 
 void parse__expected(Parser *p, const char *what)
@@ -59,7 +60,7 @@ void parse__expected(Parser *p, const char *what)
   parse__fail(p, p->tok.loc, "expected %s, found %s", what, text);
 }
 
-// ---- tokens -----------------------------------------------------------------------------------------------------------
+// ---- tokens ---------------------------------------------
 
 Token parse__advance(Parser *p)
 {
@@ -102,10 +103,7 @@ void parse__open(Parser *p)
     parse__fail(p, p->tok.loc, "nested too deeply (the limit is %d)", LIMIT_NESTING);
 }
 
-void parse__close(Parser *p)
-{
-  p->nesting--;
-}
+void parse__close(Parser *p) { p->nesting--; }
 
 void parse__semicolon(Parser *p)
 {
@@ -117,7 +115,7 @@ void parse__semicolon(Parser *p)
   parse__expected(p, "';'");
 }
 
-// ---- nodes --------------------------------------------------------------------------------------------------------------
+// ---- nodes ---------------------------------------------
 
 Node *parse__node(Parser *p, NodeKind kind, SrcLoc loc, uint32_t nkids)
 {
@@ -134,7 +132,8 @@ static void settle(Parser *p, Node *n)
   for (uint32_t i = 0; i < n->n; i++)
     if (n->kid[i]) height = MAX(height, n->kid[i]->height + 1u);
   if (height > LIMIT_EXPRESSION)
-    parse__fail(p, n->loc, "this expression is too long or too deep (the limit is %d operations)", LIMIT_EXPRESSION);
+    parse__fail(p, n->loc, "this expression is too long or too deep (the limit is %d operations)",
+                LIMIT_EXPRESSION);
   n->height = (uint16_t)height;
 }
 
@@ -174,10 +173,7 @@ Node *parse__collect(Parser *p, NodeKind kind, SrcLoc loc, size_t base)
   return n;
 }
 
-char *parse__text(Parser *p, Token t)
-{
-  return arena_strndup(p->arena, t.start, t.len);
-}
+char *parse__text(Parser *p, Token t) { return arena_strndup(p->arena, t.start, t.len); }
 
 int parse__dimension(const Parser *p)
 {
@@ -191,7 +187,7 @@ int parse__dimension(const Parser *p)
   }
 }
 
-// ---- recovery and blocks --------------------------------------------------------------------------------------------------
+// ---- recovery and blocks ---------------------------------------------
 
 static bool is_block_word(const Token *t)
 {
@@ -218,8 +214,8 @@ static bool brace_follows(const Parser *p)
   return false;
 }
 
-// Go on after the next ';', but past a list of shapes in braces, of which `open` are open; or at a word that begins or ends
-// a block if it is the first of its line.
+// Go on after the next ';', but past a list of shapes in braces, of which `open` are open; or at a word that
+// begins or ends a block if it is the first of its line.
 static void recover(Parser *p, int open)
 {
   uint32_t line = p->tok.loc.line;
@@ -230,7 +226,8 @@ static void recover(Parser *p, int open)
     if (t.kind == '{') open++;
     bool closed = t.kind == '}' && open > 0 && --open == 0;
     if (closed && p->tok.loc.line != line && !parse__at(p, ';')) break;
-    if (t.kind == ';' && (!open || !(parse__at(p, '}') || (p->tok.loc.line == line && brace_follows(p))))) break;
+    if (t.kind == ';' && (!open || !(parse__at(p, '}') || (p->tok.loc.line == line && brace_follows(p)))))
+      break;
   }
   p->stray_braces = open;
 }
@@ -276,15 +273,16 @@ bool parse__ends_block(const Parser *p)
   }
 }
 
-// Statements up to the word that ends the block. A syntax error becomes a FAULT, reported when it is reached: a branch that
-// is never taken may hold anything.
+// block -> [statement]...
+//
+// Statements up to the word that ends the block. A syntax error becomes a FAULT, reported when it is reached:
+// a branch that is never taken may hold anything.
 static Node *parse_block(Parser *p)
 {
   size_t base = p->stack.len;
   SrcLoc loc = p->tok.loc;
   p->fatal = ++p->blocks + p->nesting > LIMIT_NESTING;
-  if (p->fatal)
-    parse__fail(p, loc, "blocks nested too deeply (the limit is %d)", LIMIT_NESTING);
+  if (p->fatal) parse__fail(p, loc, "blocks nested too deeply (the limit is %d)", LIMIT_NESTING);
   while (!parse__ends_block(p)) {
     Node *n = guarded_statement(p);
     if (!n) {
@@ -316,8 +314,8 @@ static void end_block(Parser *p, Keyword k, SrcLoc begin, const char *what, cons
   parse__fail(p, begin, "this %s has no %s", what, end);
 }
 
-// for -> "For" NAME "In" "{" from ":" to [":" step] "}" statement... "EndFor"
-//      | "For" "(" from ":" to [":" step] ")" statement... "EndFor"
+// for -> "For" name "In" "{" number ":" number [":" number] "}" block "EndFor" | "For" "(" number ":" number
+//         [":" number] ")" block "EndFor"
 static Node *parse_for(Parser *p)
 {
   Token begin = parse__advance(p);
@@ -342,7 +340,7 @@ static Node *parse_for(Parser *p)
   return n;
 }
 
-// if -> "If" "(" condition ")" statement... ("ElseIf" "(" condition ")" statement...)... ["Else" statement...] "EndIf"
+// if -> "If" "(" number ")" block ["ElseIf" "(" number ")" block]... ["Else" block] "EndIf"
 static Node *parse_if(Parser *p)
 {
   Token begin = p->tok;
@@ -369,7 +367,7 @@ static Node *parse_if(Parser *p)
   return n;
 }
 
-// macro -> ("Macro" | "Function") (NAME | text) statement... "Return"
+// macro -> ("Macro" | "Function") (name | text) block "Return"
 static Node *parse_macro(Parser *p)
 {
   Token begin = parse__advance(p);

@@ -59,8 +59,9 @@ Node *parse__name(Parser *p)
   parse__advance(p);
   Node *name = parse__node(p, NODE_NAME, t.loc, 0);
   name->word = t.word;
-  if (parse__at(p, TOK_SCOPE)) parse__fail(p, t.loc, "structures and name spaces (%.*s::) are not supported",
-                                           (int)MIN(t.len, (size_t)100), t.start);
+  if (parse__at(p, TOK_SCOPE))
+    parse__fail(p, t.loc, "structures and name spaces (%.*s::) are not supported",
+                (int)MIN(t.len, (size_t)100), t.start);
   if (!parse__at(p, '~')) return name;
   size_t base = p->stack.len;
   vec_push(&p->stack, name);
@@ -75,7 +76,7 @@ Node *parse__name(Parser *p)
   return parse__collect(p, NODE_DYNAME, t.loc, base);
 }
 
-// items -> [item ("," item)...], item -> expr | from ":" to [":" step]
+// items -> [expr ("," expr)...]
 static void parse_items(Parser *p, int close)
 {
   if (p->tok.kind == close || (close == ')' && is_close(p->tok.kind))) return;
@@ -90,7 +91,9 @@ static void parse_items(Parser *p, int close)
   }
 }
 
-// Each "{": a list of the form {a, b, ...} whose items are numbers or spliced lists; {:} where `all`.
+// list -> "{" items "}" | "{" ":" "}" | expr
+//
+// Items that are lists are spliced; {:}, or "*", stands for all entities where `all`.
 static Node *parse_braces(Parser *p, bool all)
 {
   Token open = parse__expect(p, '{', "'{'");
@@ -119,9 +122,9 @@ Node *parse__braced_numbers(Parser *p, const char *what)
   return parse_braces(p, false);
 }
 
-// ---- postfix and primary ------------------------------------------------------------------------------------------------
+// ---- postfix and primary ---------------------------------------------
 
-// What follows a name: x[] x[i] x[{i,j}] x.Key x[i].Key x++ x--
+// option -> CATEGORY ["[" number "]"] "." KEY ["." KEY]
 static Node *parse_option(Parser *p, Node *name, Node *index)
 {
   if (name->kind != NODE_NAME) parse__expected(p, "an option as Category.Name");
@@ -173,6 +176,8 @@ static Node *parse_index(Parser *p, Node *name)
   return n;
 }
 
+// target -> name ["[" [expr] "]"] | option
+// variable -> target ["++" | "--"]
 static Node *parse_variable(Parser *p)
 {
   Node *name = parse__name(p), *n = name;
@@ -186,7 +191,7 @@ static Node *parse_variable(Parser *p)
   return n;
 }
 
-// call -> FUNCTION "(" [argument ("," argument)...] ")"; brackets do as well
+// call -> FUNCTION "(" [expr ("," expr)...] ")"
 static Node *parse_call(Parser *p, const FunctionRow *f)
 {
   Token t = parse__advance(p);
@@ -220,7 +225,9 @@ static Node *parse_call(Parser *p, const FunctionRow *f)
   size_t given = p->stack.len - base;
   if (given < (size_t)f->min_args || given > (size_t)f->max_args)
     parse__fail(p, t.loc, "%s takes %d%s%.0d argument%s, not %zu", words_text(p->words, t.word), f->min_args,
-                f->max_args == f->min_args ? "" : f->max_args >= FUNCTION_ANY ? " or more" : " to ",
+                f->max_args == f->min_args    ? ""
+                : f->max_args >= FUNCTION_ANY ? " or more"
+                                              : " to ",
                 f->max_args == f->min_args || f->max_args >= FUNCTION_ANY ? 0 : f->max_args,
                 f->max_args == 1 ? "" : "s", given);
   Node *n = parse__collect(p, NODE_CALL, t.loc, base);
@@ -232,7 +239,9 @@ static Node *parse_call(Parser *p, const FunctionRow *f)
   return lists ? n : fold_constant(p, n);
 }
 
-// "Point" "{" .. "}" | "Point" "In" "BoundingBox" "{" .. "}" | "Physical" "Point" "{" .. "}"
+// entities -> ["Physical"] entity "{" items "}" | entity "In" "BoundingBox" "{" items "}" | "BoundingBox"
+//              entity "{" items "}"
+// entity -> "Point" | "Curve" | "Line" | "Surface" | "Volume"
 static Node *parse_entities(Parser *p)
 {
   SrcLoc loc = p->tok.loc;
@@ -256,7 +265,7 @@ static Node *parse_entities(Parser *p)
   return n;
 }
 
-// DefineNumber[value, Name "...", ...] | DefineString[...]
+// parameter_value -> ("DefineNumber" | "DefineString") "[" expr ["," ATTRIBUTE expr]... "]"
 static Node *parse_parameter(Parser *p)
 {
   Token t = parse__advance(p);
@@ -268,6 +277,7 @@ static Node *parse_parameter(Parser *p)
   return n;
 }
 
+// vector -> "{" x "," y "," z "}" | "(" x "," y "," z ")" | vector ("+" | "-") vector | "-" vector
 static Node *parse_parenthesis(Parser *p)
 {
   Token open = parse__advance(p);
@@ -288,6 +298,7 @@ static Node *parse_parenthesis(Parser *p)
   return e;
 }
 
+// length -> "#" name "[" "]"
 static Node *parse_length(Parser *p)
 {
   Token hash = parse__advance(p);
@@ -367,6 +378,8 @@ static Node *parse_word(Parser *p)
   parse__expected(p, "a value");
 }
 
+// primary -> NUMBER | STRING | CONSTANT | variable | call | length | entities | transform | extrude
+//           | boundary | split | parameter_value | "(" expr ")" | "{" items "}" | vector
 static Node *parse_primary(Parser *p)
 {
   Token t = p->tok;
@@ -382,9 +395,19 @@ static Node *parse_primary(Parser *p)
   }
 }
 
-// ---- operators ------------------------------------------------------------------------------------------------------------
+// ---- operators ---------------------------------------------
 
-enum { LEVEL_TERNARY, LEVEL_OR, LEVEL_AND, LEVEL_EQUAL, LEVEL_LESS, LEVEL_SUM, LEVEL_PRODUCT, LEVEL_BITS, LEVEL_UNARY };
+enum {
+  LEVEL_TERNARY,
+  LEVEL_OR,
+  LEVEL_AND,
+  LEVEL_EQUAL,
+  LEVEL_LESS,
+  LEVEL_SUM,
+  LEVEL_PRODUCT,
+  LEVEL_BITS,
+  LEVEL_UNARY
+};
 
 static int level_of(int kind)
 {
@@ -456,7 +479,10 @@ static Node *parse_unary(Parser *p)
   return fold_constant(p, n);
 }
 
-// sums, products and comparisons, from the loosest level; all but "^" associate to the left
+// or -> or OPERATOR or | unary
+//
+// The operators from loose to tight: || && (== !=) (< <= > >= << >>) (+ -) (* / %) (| &); they associate to
+// the left.
 static Node *parse_level(Parser *p, int level)
 {
   if (level == LEVEL_UNARY) return parse_unary(p);
@@ -483,7 +509,8 @@ static Node *parse_ternary(Parser *p)
   Node *no = parse_ternary(p);
   parse__close(p);
   Node *n = parse__node3(p, NODE_TERNARY, op.loc, a, yes, no);
-  if (node_is_list(yes) || node_is_list(no)) parse__fail(p, op.loc, "'? :' chooses between numbers, not lists");
+  if (node_is_list(yes) || node_is_list(no))
+    parse__fail(p, op.loc, "'? :' chooses between numbers, not lists");
   return fold_constant(p, n);
 }
 
@@ -510,10 +537,7 @@ Node *parse__number(Parser *p)
   return n;
 }
 
-Node *parse__list(Parser *p)
-{
-  return parse__expr(p);
-}
+Node *parse__list(Parser *p) { return parse__expr(p); }
 
 Node *parse__list_or_all(Parser *p)
 {

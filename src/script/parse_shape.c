@@ -10,7 +10,8 @@ static Node *as_list(Node *n)
   return n;
 }
 
-// A three-dimensional or OpenCASCADE construct: past its balanced brackets, leaving its end (';', ',', '}') to the caller.
+// A three-dimensional or OpenCASCADE construct: past its balanced brackets, leaving its end (';', ',', '}')
+// to the caller.
 static Node *parse_unsupported(Parser *p, const char *text)
 {
   Token begin = parse__advance(p);
@@ -30,7 +31,7 @@ static Node *parse_unsupported(Parser *p, const char *text)
   return as_list(n);
 }
 
-// ---- lists of shapes ------------------------------------------------------------------------------------------------
+// ---- lists of shapes ---------------------------------------------
 
 // layers -> "Layers" "{" counts ["," [tags ","] heights] "}" ";"
 static Node *parse_layers(Parser *p)
@@ -54,7 +55,9 @@ typedef struct {
   Node *layers, *recombine;
 } ExtrudeParameters;
 
-// parameter -> layers | "Recombine" [number] ";" | "Using" NAME "[" number "]" ";" | "ScaleLastLayer" ";" | "QuadTri.." ";" | ...
+// parameter -> layers | "Recombine" [number] ";" | "Using" NAME "[" number "]" ";" | "ScaleLastLayer" ";"
+//             | ("QuadTriAddVerts" | "QuadTriNoNewVerts" | "QuadTriSngl" | "QuadTriDbl") ["RecombLaterals"]
+//               ";" | "Hole" "(" number ")" "=" list "Using" number ";"
 static bool parse_extrude_parameter(Parser *p, ExtrudeParameters *out)
 {
   if (p->tok.kind != TOK_WORD) return false;
@@ -93,7 +96,9 @@ static bool parse_extrude_parameter(Parser *p, ExtrudeParameters *out)
   }
 }
 
-// shapes -> "{" [shape]... "}", shape -> ["Physical"] entity list ";" | command
+// shapes -> "{" [shape]... "}"
+// shape -> ["Physical"] entity list ";" | entity "In" "BoundingBox" "{" items "}" ";" | transform | extrude
+//         | boundary
 static Node *parse_shapes(Parser *p, ExtrudeParameters *parameters)
 {
   Token open = parse__expect(p, '{', "'{' and a list of shapes such as Surface{1};");
@@ -141,15 +146,13 @@ static Node *parse_shapes(Parser *p, ExtrudeParameters *parameters)
   return parse__collect(p, NODE_SHAPES, open.loc, base);
 }
 
-Node *parse__shapes(Parser *p)
-{
-  return parse_shapes(p, NULL);
-}
+Node *parse__shapes(Parser *p) { return parse_shapes(p, NULL); }
 
-// ---- transformations --------------------------------------------------------------------------------------------------
+// ---- transformations ---------------------------------------------
 
-// transform -> "Translate" vector shapes | "Rotate" "{" vector "," vector "," number "}" shapes | "Symmetry" vector shapes
-//            | "Dilate" "{" vector "," (number | vector) "}" shapes | "Affine" list shapes | "Duplicata" shapes
+// transform -> "Translate" vector shapes | "Rotate" "{" vector "," vector "," number "}" shapes
+//             | "Symmetry" "{" a "," b "," c "," d "}" shapes | "Dilate" "{" vector "," (number | vector)
+//               "}" shapes | "Affine" list shapes | "Duplicata" shapes
 static Node *parse_transform(Parser *p)
 {
   Token t = parse__advance(p);
@@ -192,7 +195,8 @@ static Node *parse_old_extrude(Parser *p, Token begin, Node **kid, int *op)
     part[n++] = parse__expr(p);
   }
   parse__expect(p, '}', "'}'");
-  if (n == 0 || n == 2) parse__fail(p, begin.loc, "Extrude needs a translation {dx,dy,dz}, or an axis, a point and an angle");
+  if (n == 0 || n == 2)
+    parse__fail(p, begin.loc, "Extrude needs a translation {dx,dy,dz}, or an axis, a point and an angle");
   *op = n == 1 ? 1 : n == 3 ? 2 : 3;
   kid[0] = n == 3 ? NULL : part[0];
   for (int i = 0; i < 3 && n > 1; i++) kid[1 + i] = part[n - 3 + i];
@@ -201,7 +205,8 @@ static Node *parse_old_extrude(Parser *p, Token begin, Node **kid, int *op)
   return parse__node1(p, NODE_SHAPES, t.loc, shape);
 }
 
-// extrude -> "Extrude" [vector | "{" [vector ","] vector "," vector "," number "}"] "{" (shape | parameter)... "}"
+// extrude -> "Extrude" [vector | "{" [vector ","] vector "," vector "," number "}"] "{" (shape
+//           | parameter)... "}"
 static Node *parse_extrude(Parser *p)
 {
   Token begin = parse__advance(p);
@@ -242,7 +247,8 @@ static Node *parse_extrude(Parser *p)
       kid[0] = parse__expr(p);
     }
     kid[4] = parse_shapes(p, &parameters);
-    if (parse__at_word(p, KW_Using)) return parse_unsupported(p, "Wire (extrusion along a curve) needs OpenCASCADE");
+    if (parse__at_word(p, KW_Using))
+      return parse_unsupported(p, "Wire (extrusion along a curve) needs OpenCASCADE");
   }
   kid[5] = parameters.layers;
   kid[6] = parameters.recombine;
@@ -265,6 +271,8 @@ static Node *parse_split(Parser *p)
   return as_list(parse__node2(p, NODE_SPLIT, begin.loc, curve, points));
 }
 
+// boundary -> ("Boundary" | "CombinedBoundary" | "OrientedBoundary" | "OrientedCombinedBoundary"
+//            | "PointsOf") shapes
 Node *parse__command(Parser *p)
 {
   if (p->tok.kind != TOK_WORD) return NULL;

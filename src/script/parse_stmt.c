@@ -13,15 +13,9 @@ static Node *word_node(Parser *p, NodeKind kind, SrcLoc loc, uint32_t word, size
   return n;
 }
 
-static void push(Parser *p, Node *n)
-{
-  vec_push(&p->stack, n);
-}
+static void push(Parser *p, Node *n) { vec_push(&p->stack, n); }
 
-static bool at_definition(const Parser *p)
-{
-  return parse__at(p, '(');
-}
+static bool at_definition(const Parser *p) { return parse__at(p, '('); }
 
 static Node *parse_tag(Parser *p)
 {
@@ -31,9 +25,10 @@ static Node *parse_tag(Parser *p)
   return tag;
 }
 
-// ---- entities -------------------------------------------------------------------------------------------------------
+// ---- entities ---------------------------------------------
 
-// definition -> KIND "(" tag ")" "=" list ["Plane" vector | "In" "Sphere" list | "Knots" list "Order" number | "Using" number] ";"
+// definition -> kind "(" tag ")" "=" list ["Plane" vector | "In" "Sphere" list | "Knots" list "Order" number
+//              | "Using" number] ";"
 static Node *parse_definition(Parser *p, Token kind, uint32_t word, int op)
 {
   size_t base = p->stack.len;
@@ -60,7 +55,9 @@ static Node *parse_definition(Parser *p, Token kind, uint32_t word, int op)
   return n;
 }
 
-// Point|Curve|Surface|Volume: a definition, a loop, or an embedding.
+// kind -> entity | "Circle" | "Ellipse" | "Spline" | "BSpline" | "Bezier" | "Nurbs" | ("Curve" | "Line"
+//        | "Surface") "Loop" | "Plane" "Surface" | "Ruled" "Surface" | "Compound" ("Spline" | "BSpline")
+//        | "Rectangle" | "Disk"
 // embed -> entity list "In" ("Surface" | "Volume") "{" number... "}" ";"
 static Node *parse_entity(Parser *p)
 {
@@ -84,7 +81,7 @@ static Node *parse_entity(Parser *p)
   return n;
 }
 
-// physical -> "Physical" entity "(" (number | text) ["," number] ")" ("=" | "+=" | "-=") list ";"
+// physical -> "Physical" entity "(" (number | text ["," number]) ")" ("=" | "+=" | "-=") list ";"
 static Node *parse_physical(Parser *p)
 {
   Token t = parse__advance(p);
@@ -128,11 +125,12 @@ static Node *parse_surface_of_kind(Parser *p, Token t)
 {
   if (parse__dimension(p) != 2) parse__expected(p, "'Surface'");
   parse__advance(p);
-  if (t.word == KW_Plane || t.word == KW_Ruled) return parse_definition(p, t, t.word == KW_Plane ? KW_Plane : KW_Surface, 2);
+  if (t.word == KW_Plane || t.word == KW_Ruled)
+    return parse_definition(p, t, t.word == KW_Plane ? KW_Plane : KW_Surface, 2);
   return unsupported_statement(p, t, "Surface is not supported: only Plane Surface and Surface are");
 }
 
-// compound -> "Compound" ("Curve" | "Surface" | "Volume") list ";" | "Compound" ("Spline" | "BSpline") "(" tag ")" "=" list "Using" n ";"
+// compound -> "Compound" ("Curve" | "Surface" | "Volume") list ";"
 static Node *parse_compound(Parser *p)
 {
   Token t = parse__advance(p), kind = p->tok;
@@ -145,17 +143,19 @@ static Node *parse_compound(Parser *p)
   if (dim < 1) parse__expected(p, "Curve, Surface, Spline or BSpline");
   parse__advance(p);
   if (at_definition(p))
-    return unsupported_statement(p, t, "geometry was removed from the language; write Compound Curve{..}; or Compound Surface{..};");
+    return unsupported_statement(
+        p, t, "geometry was removed from the language; write Compound Curve{..}; or Compound Surface{..};");
   Node *n = parse__node1(p, NODE_COMPOUND, t.loc, parse__list_or_all(p));
   n->op = (uint16_t)dim;
   parse__semicolon(p);
   return n;
 }
 
-// ---- how to mesh ----------------------------------------------------------------------------------------------------
+// ---- how to mesh ---------------------------------------------
 
-// transfinite -> "Transfinite" "Curve" list "=" number ["Using" law number] ";"
-//              | "Transfinite" "Surface" list ["=" corners] [arrangement] ";" | "Transfinite" "Volume" list ["=" corners] ";"
+// transfinite -> "Transfinite" "Curve" list "=" number ["Using" ("Progression" | "Power" | "Bump" | "Beta")
+//                 number] ";" | "Transfinite" "Surface" list ["=" list] ["Left" | "Right" | "Alternate"
+//               | "AlternateRight" | "AlternateLeft"] ";" | "Transfinite" "Volume" list ["=" list] ";"
 static Node *parse_transfinite(Parser *p)
 {
   Token t = parse__advance(p);
@@ -175,7 +175,8 @@ static Node *parse_transfinite(Parser *p)
       word = law.word;
       if (word != KW_Progression && word != KW_Power && word != KW_Bump && word != KW_Beta &&
           word != KW_Progression_HWall && word != KW_Bump_HWall && word != KW_Beta_HWall)
-        parse__fail(p, law.loc, "unknown law '%.*s': Progression, Bump or Beta", (int)MIN(law.len, (size_t)60), law.start);
+        parse__fail(p, law.loc, "unknown law '%.*s': Progression, Bump or Beta",
+                    (int)MIN(law.len, (size_t)60), law.start);
       coef = parse__number(p);
     }
     push(p, coef);
@@ -189,8 +190,8 @@ static Node *parse_transfinite(Parser *p)
   return n;
 }
 
-// mesh_set -> ("Recombine" | "Smoother" | "MeshAlgorithm" | "MeshSizeFromBoundary" | "ReverseMesh" | "RelocateMesh" | "Degenerated")
-//             entity list ["=" number] ";"
+// mesh_set -> ("Recombine" | "Smoother" | "MeshAlgorithm" | "MeshSizeFromBoundary" | "ReverseMesh"
+//            | "Reverse" | "RelocateMesh" | "Degenerated") entity list ["=" number] ";"
 static Node *parse_mesh_set(Parser *p)
 {
   Token t = parse__advance(p);
@@ -209,7 +210,7 @@ static Node *parse_mesh_set(Parser *p)
   return n;
 }
 
-// mesh_size -> ("MeshSize" | "Characteristic" "Length") list "=" number ";"
+// mesh_size -> ("MeshSize" | "Characteristic" "Length") ["Point"] list "=" number ";"
 static Node *parse_mesh_size(Parser *p)
 {
   Token t = parse__advance(p);
@@ -224,7 +225,8 @@ static Node *parse_mesh_size(Parser *p)
   return parse__node2(p, NODE_MESH_SIZE, t.loc, list, value);
 }
 
-// periodic -> "Periodic" ("Curve" | "Surface") list [edges] "=" list [edges] ["Translate" vector | "Rotate" "{".."}" | "Affine" list] ";"
+// periodic -> "Periodic" ("Curve" | "Surface") list [list] "=" list [list] ["Translate" vector | "Rotate"
+//              "{" vector "," vector "," number "}" | "Affine" list] ";"
 static Node *parse_periodic(Parser *p)
 {
   Token t = parse__advance(p);
@@ -260,9 +262,10 @@ static Node *parse_periodic(Parser *p)
   return n;
 }
 
-// ---- deleting and showing ---------------------------------------------------------------------------------------------
+// ---- deleting and showing ---------------------------------------------
 
-// delete -> "Delete" (shapes | "Field" "[" n "]" ";" | "View" "[" n "]" ";" | "Embedded" shapes | WORD ";" | name ";")
+// delete -> ["Recursive"] "Delete" (shapes | "Field" "[" n "]" ";" | "View" "[" n "]" ";" | "Embedded"
+//            shapes | ("Physicals" | "Meshes" | "Model" | "All" | "Variables") ";" | name ";")
 static Node *parse_delete(Parser *p, bool recursive)
 {
   Token t = parse__advance(p);
@@ -299,7 +302,7 @@ static Node *parse_delete(Parser *p, bool recursive)
   return n;
 }
 
-// visibility -> ("Show" | "Hide") (shapes | text ";" | "{:}") | "Color" colour shapes
+// visibility -> ["Recursive"] (("Show" | "Hide") (shapes | list) | "Color" (NAME | list) shapes)
 static Node *parse_visibility(Parser *p)
 {
   Token t = parse__advance(p);
@@ -327,7 +330,7 @@ static Node *parse_visibility(Parser *p)
   return n;
 }
 
-// ---- fields, views --------------------------------------------------------------------------------------------------------
+// ---- fields, views ---------------------------------------------
 
 // field -> "Field" "[" n "]" ("=" TYPE | "." OPTION ["=" (number | text | list)]) ";"
 static Node *parse_field(Parser *p)
@@ -356,6 +359,7 @@ static Node *parse_field(Parser *p)
   return n;
 }
 
+// plugin -> "Plugin" "(" NAME ")" "." (OPTION "=" expr | "Run") ";"
 static Node *parse_plugin(Parser *p)
 {
   Token t = parse__advance(p);
@@ -412,7 +416,7 @@ Node *parse__view(Parser *p, SrcLoc loc)
   return parse__collect(p, NODE_VIEW, loc, base);
 }
 
-// ---- parameters ---------------------------------------------------------------------------------------------------------------
+// ---- parameters ---------------------------------------------
 
 // After the value: ["," ATTRIBUTE (number | text | "{" .. "}")]... close. Only Name and ReadOnly are kept.
 Node *parse__parameter_tail(Parser *p, Node *value, NodeKind kind, Node *target, SrcLoc loc, int close)
@@ -445,7 +449,7 @@ Node *parse__parameter_tail(Parser *p, Node *value, NodeKind kind, Node *target,
   return parse__collect(p, kind, loc, base);
 }
 
-// item -> name ["[" "]"] ["=" (expr | "{" expr ["," ATTRIBUTE value]... "}")]
+// constant -> name ["[" "]"] ["=" (expr | "{" expr ["," ATTRIBUTE value]... "}")]
 static Node *parse_constant_item(Parser *p)
 {
   Token t = p->tok;
@@ -493,7 +497,7 @@ static Node *parse_constant_item(Parser *p)
   return n;
 }
 
-// define_constant -> "DefineConstant" "[" item [","] ... "]" ";"
+// define_constant -> "DefineConstant" "[" constant [","]... "]" ";"
 Node *parse__define_constant(Parser *p)
 {
   Token t = parse__advance(p);
@@ -508,7 +512,7 @@ Node *parse__define_constant(Parser *p)
   return parse__collect(p, NODE_CONSTANTS, t.loc, base);
 }
 
-// ---- commands ---------------------------------------------------------------------------------------------------------------
+// ---- commands ---------------------------------------------
 
 // print -> ("Printf" | "Error" | "Warning") "(" text ["," list]... ")" [(">" | ">>") text] ";"
 static Node *parse_print(Parser *p)
@@ -530,12 +534,13 @@ static Node *parse_print(Parser *p)
   return n;
 }
 
-// command -> WORD [argument ["," argument]...] ";", the arguments in parentheses or not
+// command -> WORD ["("] [expr ("," expr)...] [")"] ";"
 static Node *parse_command(Parser *p)
 {
   Token t = parse__advance(p);
   size_t base = p->stack.len;
-  bool parens = (t.word == KW_SetFactory || t.word == KW_SetNumber || t.word == KW_SetString || t.word == KW_UndefineConstant) &&
+  bool parens = (t.word == KW_SetFactory || t.word == KW_SetNumber || t.word == KW_SetString ||
+                 t.word == KW_UndefineConstant) &&
                 (parse__accept(p, '(') || parse__accept(p, '['));
   while (p->tok.kind != ';' && p->tok.kind != TOK_END && p->tok.kind != ')' && p->tok.kind != ']') {
     push(p, parse__expr(p));
@@ -546,6 +551,7 @@ static Node *parse_command(Parser *p)
   return word_node(p, NODE_COMMAND, t.loc, t.word, base);
 }
 
+// macro_call -> "Call" (name | text) ";"
 static Node *parse_call(Parser *p)
 {
   Token t = parse__advance(p);
@@ -555,6 +561,8 @@ static Node *parse_call(Parser *p)
   return word_node(p, NODE_COMMAND, t.loc, t.word, base);
 }
 
+// background -> "Background" "Field" "=" number ";" | "BoundaryLayer" "Field" "=" list ";" | "Background"
+//                "Mesh" "View" "[" number "]" ";"
 static Node *parse_background(Parser *p)
 {
   Token t = parse__advance(p);
@@ -575,6 +583,7 @@ static Node *parse_background(Parser *p)
   return n;
 }
 
+// coherence -> "Coherence" ["Geometry" | "Mesh"] ";"
 static Node *parse_coherence(Parser *p)
 {
   Token t = parse__advance(p);
@@ -588,7 +597,7 @@ static Node *parse_coherence(Parser *p)
   return word_node(p, NODE_COHERENCE, t.loc, word, base);
 }
 
-// SetMaxTag Point (n);
+// set_max_tag -> "SetMaxTag" entity "(" number ")" ";"
 static Node *parse_set_max_tag(Parser *p)
 {
   Token t = parse__advance(p);
@@ -603,18 +612,20 @@ static Node *parse_set_max_tag(Parser *p)
   return n;
 }
 
-// ---- assignments ----------------------------------------------------------------------------------------------------------------
+// ---- assignments ---------------------------------------------
 
 static bool is_assignment(int kind)
 {
-  return kind == '=' || kind == TOK_ADD_TO || kind == TOK_SUB_FROM || kind == TOK_MUL_BY || kind == TOK_DIV_BY;
+  return kind == '=' || kind == TOK_ADD_TO || kind == TOK_SUB_FROM || kind == TOK_MUL_BY ||
+         kind == TOK_DIV_BY;
 }
 
 static NORETURN void unknown_statement(Parser *p, Token t)
 {
   if (t.len == 9 && !memcmp(t.start, "Attractor", 9))
-    parse__fail(p, t.loc, "the short form 'Attractor Point{..} = {..}' was removed long ago; write Field[1] = Distance;"
-                          " and Field[2] = Threshold;");
+    parse__fail(p, t.loc,
+                "the short form 'Attractor Point{..} = {..}' was removed long ago; write Field[1] = Distance;"
+                " and Field[2] = Threshold;");
   char word[64];
   snprintf(word, sizeof word, "%.*s", (int)MIN(t.len, sizeof word - 1), t.start);
   const char *near = function_nearest(word);
@@ -638,7 +649,8 @@ static Node *parse_assignment(Parser *p)
     unknown_statement(p, first);
   } else {
     parse__advance(p);
-    if (target->kind == NODE_OPTION && strstr(target->text, "Color")) { // colours may be names, or lists of lists
+    if (target->kind == NODE_OPTION &&
+        strstr(target->text, "Color")) { // colours may be names, or lists of lists
       while (p->tok.kind != ';' && p->tok.kind != TOK_END) parse__advance(p);
     } else {
       value = parse__list_value(p);
@@ -671,6 +683,10 @@ static Node *parse_value_statement(Parser *p)
 {
   SrcLoc loc = p->tok.loc;
   Node *command = parse__command(p);
+  if (!command) {
+    parse__advance(p);
+    parse__expected(p, "'{' and a list of shapes");
+  }
   if (command->kind == NODE_SPLIT || command->kind == NODE_UNSUPPORTED)
     parse__accept(p, ';');
   else
@@ -678,7 +694,7 @@ static Node *parse_value_statement(Parser *p)
   return parse__node1(p, NODE_VALUE, loc, command);
 }
 
-// ---- the statement --------------------------------------------------------------------------------------------------------------
+// ---- the statement ---------------------------------------------
 
 static Node *parse_soft(Parser *p)
 {
@@ -713,7 +729,9 @@ static Node *parse_soft(Parser *p)
   case KW_Alias:
   case KW_AliasWithOptions:
   case KW_CopyOptions:
-  case KW_SplitWindow: parse__advance(p); return unsupported_statement(p, t, "is post-processing, which this program does not do");
+  case KW_SplitWindow:
+    parse__advance(p);
+    return unsupported_statement(p, t, "is post-processing, which this program does not do");
   default: return parse_assignment(p);
   }
 }
@@ -726,13 +744,18 @@ static Node *parse_keyword(Parser *p)
   case KW_If: return parse__block_statement(p);
   case KW_Macro:
     if (parse__peek(p).kind == TOK_WORD && parse__peek(p).word == KW_Field)
-      parse__fail(p, t.loc, "'Function Field(..)' was removed long ago; write Field[1] = MathEval; Field[1].F = \"...\";");
+      parse__fail(
+          p, t.loc,
+          "'Function Field(..)' was removed long ago; write Field[1] = MathEval; Field[1].F = \"...\";");
     return parse__block_statement(p);
   case KW_EndFor: parse__fail(p, t.loc, "this EndFor has no For");
   case KW_EndIf: parse__fail(p, t.loc, "this EndIf has no If");
   case KW_Else:
   case KW_ElseIf: parse__fail(p, t.loc, "this %.*s has no If", (int)t.len, t.start);
-  case KW_Return: parse__advance(p); parse__accept(p, ';'); return parse__node(p, NODE_RETURN, t.loc, 0);
+  case KW_Return:
+    parse__advance(p);
+    parse__accept(p, ';');
+    return parse__node(p, NODE_RETURN, t.loc, 0);
   case KW_Point:
   case KW_Line:
   case KW_Surface:
@@ -749,15 +772,20 @@ static Node *parse_keyword(Parser *p)
   case KW_Plane:
   case KW_Ruled:
     parse__advance(p);
-    if (parse__at_word(p, KW_ThruSections)) return unsupported_statement(p, t, "ThruSections needs the OpenCASCADE kernel, which this program does not have");
+    if (parse__at_word(p, KW_ThruSections))
+      return unsupported_statement(
+          p, t, "ThruSections needs the OpenCASCADE kernel, which this program does not have");
     return parse_surface_of_kind(p, t);
   case KW_Rectangle:
   case KW_Disk: parse__advance(p); return parse_definition(p, t, t.word, 2);
-  case KW_Parametric: parse__advance(p); return unsupported_statement(p, t, "Surface is not supported: only Plane Surface and Surface are");
+  case KW_Parametric:
+    parse__advance(p);
+    return unsupported_statement(p, t, "Surface is not supported: only Plane Surface and Surface are");
   case KW_Sphere:
   case KW_PolarSphere:
     parse__advance(p);
-    return unsupported_statement(p, t, "is not supported: the plane of a face is the only geometry of surfaces here");
+    return unsupported_statement(
+        p, t, "is not supported: the plane of a face is the only geometry of surfaces here");
   case KW_Box:
   case KW_Cylinder:
   case KW_Cone:
@@ -796,7 +824,8 @@ static Node *parse_keyword(Parser *p)
   case KW_Recursive:
     parse__advance(p);
     if (parse__at_word(p, KW_Delete)) return parse_delete(p, true);
-    if (parse__at_word(p, KW_Show) || parse__at_word(p, KW_Hide) || parse__at_word(p, KW_Color)) return parse_visibility(p);
+    if (parse__at_word(p, KW_Show) || parse__at_word(p, KW_Hide) || parse__at_word(p, KW_Color))
+      return parse_visibility(p);
     parse__expected(p, "Delete, Show, Hide or Color after 'Recursive'");
   case KW_Show:
   case KW_Hide:
@@ -841,11 +870,12 @@ static Node *parse_keyword(Parser *p)
   case KW_OnelabRun: parse__advance(p); return unsupported_statement(p, t, "is not supported");
   default: break;
   }
-  if (t.word == KW_Extrude || t.word == KW_Translate || t.word == KW_Rotate || t.word == KW_Symmetry || t.word == KW_Dilate ||
-      t.word == KW_Affine || t.word == KW_Boundary || t.word == KW_CombinedBoundary || t.word == KW_OrientedBoundary ||
-      t.word == KW_OrientedCombinedBoundary || t.word == KW_PointsOf || t.word == KW_Split || t.word == KW_Intersect ||
-      t.word == KW_BooleanUnion || t.word == KW_BooleanIntersection || t.word == KW_BooleanDifference ||
-      t.word == KW_BooleanFragments || t.word == KW_BooleanSection || t.word == KW_ThruSections || t.word == KW_Fillet ||
+  if (t.word == KW_Extrude || t.word == KW_Translate || t.word == KW_Rotate || t.word == KW_Symmetry ||
+      t.word == KW_Dilate || t.word == KW_Affine || t.word == KW_Boundary || t.word == KW_CombinedBoundary ||
+      t.word == KW_OrientedBoundary || t.word == KW_OrientedCombinedBoundary || t.word == KW_PointsOf ||
+      t.word == KW_Split || t.word == KW_Intersect || t.word == KW_BooleanUnion ||
+      t.word == KW_BooleanIntersection || t.word == KW_BooleanDifference || t.word == KW_BooleanFragments ||
+      t.word == KW_BooleanSection || t.word == KW_ThruSections || t.word == KW_Fillet ||
       t.word == KW_Chamfer || t.word == KW_ShapeFromFile || t.word == KW_HealShapes)
     return parse_value_statement(p);
   if (is_assignment(parse__peek(p).kind))
@@ -865,6 +895,10 @@ static Node *parse_merge_mark(Parser *p)
   return n;
 }
 
+// statement -> definition | physical | embed | compound | transfinite | mesh_set | mesh_size | periodic
+//             | delete | visibility | coherence | field | background | view | plugin | define_constant
+//             | print | command | macro_call | set_max_tag | assignment | transform | extrude | boundary
+//             | split ";" | for | if | macro | "Return"
 Node *parse__statement(Parser *p)
 {
   Token t = p->tok;

@@ -8,7 +8,7 @@
 
 #include "base/file.h"
 
-// ---- loops, branches, macros ---------------------------------------------------------------------------------------------
+// ---- loops, branches, macros ---------------------------------------------
 
 Flow run_block(Script *s, const Node *block)
 {
@@ -27,7 +27,8 @@ static Flow run_for(Script *s, const Node *n)
   double step = n->kid[3] ? eval_number(s, n->kid[3]) : 1;
   if (s->faults > faults) return s->stopped ? FLOW_STOP : FLOW_NEXT;
   if (step == 0 || !isfinite(step) || !isfinite(from) || !isfinite(to)) {
-    script__error(s, n->loc, step == 0 ? "the step of a loop cannot be 0" : "the bounds of a loop must be finite");
+    script__error(s, n->loc,
+                  step == 0 ? "the step of a loop cannot be 0" : "the bounds of a loop must be finite");
     return FLOW_NEXT;
   }
   double count = floor((to - from) / step) + 1;
@@ -39,8 +40,10 @@ static Flow run_for(Script *s, const Node *n)
   s->depth++;
   Flow flow = FLOW_NEXT;
   for (double i = from; step > 0 ? i <= to : i >= to;) {
-    if (!script__charge(s, 1, n->loc)) flow = FLOW_STOP;
-    else flow = run_block(s, n->kid[4]);
+    if (!script__charge(s, 1, n->loc))
+      flow = FLOW_STOP;
+    else
+      flow = run_block(s, n->kid[4]);
     if (flow != FLOW_NEXT) break;
     i += step;
     if (word == NONE) continue;
@@ -91,8 +94,8 @@ static void unknown_macro(Script *s, uint32_t word, SrcLoc loc)
   for (size_t i = 0; i < s->var.len; i++)
     if (s->var.data[i].macro) vec_push(&names, words_text(&s->words, (uint32_t)i));
   const char *near = str_nearest(words_text(&s->words, word), names.data, names.len);
-  script__error(s, loc, "unknown macro '%s'%s%s%s", words_text(&s->words, word), near ? "; did you mean '" : "",
-                near ? near : "", near ? "'?" : "");
+  script__error(s, loc, "unknown macro '%s'%s%s%s", words_text(&s->words, word),
+                near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
   vec_free(&names);
 }
 
@@ -125,7 +128,7 @@ Flow run_call(Script *s, const Node *n)
   return flow == FLOW_RETURN ? FLOW_NEXT : flow;
 }
 
-// ---- one statement -----------------------------------------------------------------------------------------------------
+// ---- one statement ---------------------------------------------
 
 static void run_value(Script *s, const Node *n)
 {
@@ -182,13 +185,13 @@ Flow run_statement(Script *s, const Node *n)
   return s->stopped || s->aborted ? FLOW_STOP : FLOW_NEXT;
 }
 
-// ---- files ----------------------------------------------------------------------------------------------------------------
+// ---- files ---------------------------------------------
 
 typedef struct {
   Script *s;
   Parser p;
-  Arena tree;              // of the statement being run
-  Vec(SrcLoc) ifs;         // branches open at the top level
+  Arena tree;      // of the statement being run
+  Vec(SrcLoc) ifs; // branches open at the top level
 } Run;
 
 static bool condition(Run *r, const Node *n)
@@ -246,7 +249,8 @@ static void run_text(Run *r)
     case NEXT_STATEMENT:
       if (n)
         run_statement(s, n);
-      else if (r->p.failed_word != NONE && r->p.failed_word >= KW_COUNT) // x = <error>: do not complain about x again
+      else if (r->p.failed_word != NONE &&
+               r->p.failed_word >= KW_COUNT) // x = <error>: do not complain about x again
         script__variable(s, r->p.failed_word)->reported = true;
       break;
     case NEXT_IF:
@@ -312,7 +316,7 @@ ScriptEnd run_file(Script *s, const char *path, SrcLoc from)
   return end;
 }
 
-// ---- the script as a whole --------------------------------------------------------------------------------------------------
+// ---- the script as a whole ---------------------------------------------
 
 Script *script_new(Model *model, Options *options, FieldSet *fields, Diag *diag, const ScriptHost *host)
 {
@@ -471,7 +475,8 @@ void script_print_symbols(const Script *s, Str *out)
       str_printf(out, "%s[] = ", name);
       print_list(v->list.data, v->list.len, out);
     }
-    if (v->ntext == 1 && !v->text_is_list) str_printf(out, "%s = \"%s\";\n", name, v->text[0]);
+    if (v->ntext == 1 && !v->text_is_list)
+      str_printf(out, "%s = \"%s\";\n", name, v->text[0]);
     else if (v->ntext) {
       str_printf(out, "%s[] = Str(", name);
       for (uint32_t k = 0; k < v->ntext; k++) str_printf(out, "%s\"%s\"", k ? ", " : "", v->text[k]);

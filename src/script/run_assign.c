@@ -28,7 +28,7 @@ static bool combine(Script *s, int op, double *a, double b, SrcLoc loc)
   }
 }
 
-// ---- lists -------------------------------------------------------------------------------------------------------------
+// ---- lists ---------------------------------------------
 
 // Remove the first occurrence of each value.
 static void remove_values(Script *s, Variable *v, const DoubleVec *values, SrcLoc loc)
@@ -73,7 +73,7 @@ static void assign_list(Script *s, Variable *v, int op, const DoubleVec *values,
   }
 }
 
-// ---- texts --------------------------------------------------------------------------------------------------------------
+// ---- texts ---------------------------------------------
 
 static bool is_texts(const Node *n)
 {
@@ -130,7 +130,7 @@ static void assign_text_element(Script *s, uint32_t word, double index, const ch
   vec_free(&texts);
 }
 
-// ---- elements ------------------------------------------------------------------------------------------------------------
+// ---- elements ---------------------------------------------
 
 static void assign_element(Script *s, uint32_t word, double index, int op, double value, SrcLoc loc)
 {
@@ -169,12 +169,13 @@ static void assign_elements(Script *s, const Node *n, uint32_t word)
   if (index->len != value->len)
     script__error(s, target->loc, "%zu indices, but %zu values", index->len, value->len);
   else
-    for (size_t i = 0; i < index->len; i++) assign_element(s, word, index->data[i], n->op, value->data[i], target->loc);
+    for (size_t i = 0; i < index->len; i++)
+      assign_element(s, word, index->data[i], n->op, value->data[i], target->loc);
   script__give(s, value);
   script__give(s, index);
 }
 
-// ---- the statement --------------------------------------------------------------------------------------------------------
+// ---- the statement ---------------------------------------------
 
 static void assign_name(Script *s, const Node *n, uint32_t word, bool whole)
 {
@@ -191,7 +192,8 @@ static void assign_name(Script *s, const Node *n, uint32_t word, bool whole)
     return;
   }
   if (!node_is_list(value) && !whole) {
-    if (value->kind == NODE_STRING || (value->kind != NODE_NUMBER && value->kind != NODE_BINARY && eval_is_text(s, value))) {
+    if (value->kind == NODE_STRING ||
+        (value->kind != NODE_NUMBER && value->kind != NODE_BINARY && eval_is_text(s, value))) {
       assign_text(s, word, n->op, value, false, loc);
       return;
     }
@@ -228,17 +230,20 @@ static void assign_name(Script *s, const Node *n, uint32_t word, bool whole)
     if (values->len == 1)
       combine(s, n->op, &v->value, values->data[0], n->loc);
     else
-      script__error(s, loc, "'%s' is a number: one value is needed, not %zu", words_text(&s->words, word), values->len);
+      script__error(s, loc, "'%s' is a number: one value is needed, not %zu", words_text(&s->words, word),
+                    values->len);
   } else
     assign_list(s, v, n->op, values, loc, whole);
   script__give(s, values);
 }
 
-// Plugins are post-processing. Those that change meshes, or views that may give sizes, cannot be left out in silence.
+// Plugins are post-processing. Those that change meshes, or views that may give sizes, cannot be left out in
+// silence.
 static void run_plugin(Script *s, const Node *n)
 {
-  static const char *const vital[] = {"Crack", "NewView", "Distance", "MathEval", "ModifyComponents", "SimplePartition",
-                                      "Scal2Vec", "Triangulate", "Smooth"};
+  static const char *const vital[] = {"Crack",    "NewView",          "Distance",
+                                      "MathEval", "ModifyComponents", "SimplePartition",
+                                      "Scal2Vec", "Triangulate",      "Smooth"};
   const char *dot = strchr(n->kid[0]->text, '.');
   int len = (int)(dot - n->kid[0]->text);
   if (strcmp(dot, ".Run") != 0) return;
@@ -247,7 +252,8 @@ static void run_plugin(Script *s, const Node *n)
     script__error(s, n->loc, "Plugin(%s) is not supported", vital[i]);
     return;
   }
-  diag_warning(s->diag, n->loc, "Plugin(%.*s) is left out: there is no post-processing here", len, n->kid[0]->text);
+  diag_warning(s->diag, n->loc, "Plugin(%.*s) is left out: there is no post-processing here", len,
+               n->kid[0]->text);
 }
 
 void run_assign(Script *s, const Node *n)
@@ -283,7 +289,7 @@ void run_assign(Script *s, const Node *n)
   }
 }
 
-// ---- DefineConstant ----------------------------------------------------------------------------------------------------------
+// ---- DefineConstant ---------------------------------------------
 
 static void define_text(Script *s, const Node *item, uint32_t word, const char *parameter, bool read_only)
 {

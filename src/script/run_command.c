@@ -9,7 +9,7 @@
 
 #include "base/file.h"
 
-// ---- messages ---------------------------------------------------------------------------------------------------------
+// ---- messages ---------------------------------------------
 
 // Is the folder of `path`, links followed, `root` or below it?
 static bool lies_below(const char *path, const char *root)
@@ -82,7 +82,7 @@ void run_print(Script *s, const Node *n)
   str_free(&text);
 }
 
-// ---- files ------------------------------------------------------------------------------------------------------------------
+// ---- files ---------------------------------------------
 
 static bool ends_with(const char *text, const char *end)
 {
@@ -108,8 +108,8 @@ static Flow include(Script *s, const Node *n)
   char *path = mem_strdup(script__path(s, name));
   SrcLoc loc = n->kid[0]->loc;
   Flow flow = FLOW_NEXT;
-  bool script = n->word == KW_Include || ends_with(path, ".geo") || ends_with(path, ".opt") || ends_with(path, ".geo_unrolled") ||
-                ends_with(path, ".i");
+  bool script = n->word == KW_Include || ends_with(path, ".geo") || ends_with(path, ".opt") ||
+                ends_with(path, ".geo_unrolled") || ends_with(path, ".i");
   if (!*name) {
     script__error(s, loc, "the name of a file is missing");
   } else if (!script && ends_with(path, ".pos")) {
@@ -120,8 +120,8 @@ static Flow include(Script *s, const Node *n)
     else if (!s->host->merge(s->host->ctx, path, loc))
       s->faults++;
   } else if (s->includes >= LIMIT_INCLUDES) {
-    script__error(s, loc, "files include one another too deeply (the limit is %d); does '%s' include itself?", LIMIT_INCLUDES,
-                  name);
+    script__error(s, loc, "files include one another too deeply (the limit is %d); does '%s' include itself?",
+                  LIMIT_INCLUDES, name);
     s->stopped = true;
   } else {
     script__charge(s, 1000, loc);
@@ -133,7 +133,7 @@ static Flow include(Script *s, const Node *n)
   return flow;
 }
 
-// ---- the program around -------------------------------------------------------------------------------------------------------
+// ---- the program around ---------------------------------------------
 
 static void mesh_command(Script *s, const Node *n, MeshCommand what)
 {
@@ -189,7 +189,9 @@ static void set_factory(Script *s, const Node *n)
   else if (!strcmp(name, "Built-in"))
     m->opencascade = false;
   else
-    script__error(s, n->loc, "unknown kernel \"%s\": \"Built-in\" and, for plane shapes, \"OpenCASCADE\" are known", name);
+    script__error(s, n->loc,
+                  "unknown kernel \"%s\": \"Built-in\" and, for plane shapes, \"OpenCASCADE\" are known",
+                  name);
   script__sync_settings(s);
 }
 

@@ -4,8 +4,8 @@
 
 #include "script/eval_int.h"
 
-// Where the messages of a statement go whose arguments were wrong: the model shall remember the refusal, the user has
-// been told already.
+// Where the messages of a statement go whose arguments were wrong: the model shall remember the refusal, the
+// user has been told already.
 static Diag *sink(Script *s, int faults, Diag **quiet)
 {
   *quiet = s->faults > faults ? diag_child(s->diag) : NULL;
@@ -35,15 +35,17 @@ static void define_point(Script *s, const Node *n, int tag)
     DoubleVec *v = script__take(s);
     eval_list(s, list, v);
     count = v->len;
-    memcpy(c, v->data, MIN(count, ARRAY_LEN(c)) * sizeof c[0]);
+    if (count) memcpy(c, v->data, MIN(count, ARRAY_LEN(c)) * sizeof c[0]);
     script__give(s, v);
   }
   if (count < 3 || count > 5) {
-    script__error(s, list->loc, "a point needs 3 coordinates {x, y, z}, or 4 numbers with the mesh size; %zu given", count);
+    script__error(s, list->loc,
+                  "a point needs 3 coordinates {x, y, z}, or 4 numbers with the mesh size; %zu given", count);
     if (count > 5) return;
   }
   double f = s->options->Geometry_ScalingFactor;
-  model_add_point(s->model, tag, (Vec3){f * c[0], f * c[1], f * c[2]}, count > 3 ? f * c[3] : 0, n->loc, s->diag);
+  model_add_point(s->model, tag, (Vec3){f * c[0], f * c[1], f * c[2]}, count > 3 ? f * c[3] : 0, n->loc,
+                  s->diag);
 }
 
 static CurveType curve_type(uint32_t word)
@@ -72,17 +74,21 @@ static void define_curve(Script *s, const Node *n, int tag)
   if (n->op) { // Compound Spline
     int samples = n->n > 2 && n->kid[2] ? eval_int(s, n->kid[2]) : 5;
     Diag *diag = sink(s, faults, &quiet);
-    model_add_compound_spline(s->model, curve_type(n->word), tag, points.data, points.len, samples, n->loc, diag);
+    model_add_compound_spline(s->model, curve_type(n->word), tag, points.data, points.len, samples, n->loc,
+                              diag);
   } else {
     if (n->word == KW_Nurbs) {
-      if (n->n < 4) script__error(s, n->loc, "Nurbs needs 'Knots {..} Order n'");
-      else eval_list(s, n->kid[2], &knots);
+      if (n->n < 4)
+        script__error(s, n->loc, "Nurbs needs 'Knots {..} Order n'");
+      else
+        eval_list(s, n->kid[2], &knots);
     } else if (n->n > 2) {
       plane = eval_vector(s, n->kid[2]);
       normal = &plane;
     }
     Diag *diag = sink(s, faults, &quiet);
-    model_add_curve(s->model, curve_type(n->word), tag, points.data, points.len, normal, knots.data, knots.len, n->loc, diag);
+    model_add_curve(s->model, curve_type(n->word), tag, points.data, points.len, normal, knots.data,
+                    knots.len, n->loc, diag);
   }
   diag_free(quiet);
   vec_free(&points);
@@ -106,9 +112,11 @@ static void define_surface(Script *s, const Node *n, int tag)
   case KW_Plane: model_add_face(s->model, FACE_PLANE, tag, tags.data, tags.len, n->loc, diag); break;
   case KW_Surface:
     if (n->n > 2)
-      diag_warning(s->diag, n->loc, "'In Sphere' is not supported: surface %d is filled between its curves", tag);
+      diag_warning(s->diag, n->loc, "'In Sphere' is not supported: surface %d is filled between its curves",
+                   tag);
     // with holes it can only be plane
-    model_add_face(s->model, tags.len > 1 ? FACE_PLANE : FACE_FILLING, tag, tags.data, tags.len, n->loc, diag);
+    model_add_face(s->model, tags.len > 1 ? FACE_PLANE : FACE_FILLING, tag, tags.data, tags.len, n->loc,
+                   diag);
     break;
   case KW_Volume:
     if (!s->volumes_noted) log_info(s->diag, "volumes are kept for their faces, and not meshed");
@@ -121,7 +129,8 @@ static void define_surface(Script *s, const Node *n, int tag)
   vec_free(&tags);
 }
 
-// ---- OpenCASCADE's flat shapes, made of points, lines and arcs ----------------------------------------------------------
+// ---- OpenCASCADE's flat shapes, made of points, lines and arcs
+// ---------------------------------------------
 
 static int add_point(Script *s, double x, double y, double z, SrcLoc loc)
 {
@@ -149,22 +158,26 @@ static void add_face(Script *s, int tag, const int *curve, size_t n, SrcLoc loc)
 static void define_rectangle(Script *s, const Node *n, int tag, const DoubleVec *v)
 {
   if (v->len < 5 || v->len > 6) {
-    script__error(s, n->loc, "a Rectangle needs {x, y, z, dx, dy} and perhaps the radius of its corners; %zu numbers given",
-                  v->len);
+    script__error(
+        s, n->loc,
+        "a Rectangle needs {x, y, z, dx, dy} and perhaps the radius of its corners; %zu numbers given",
+        v->len);
     return;
   }
   double x = v->data[0], y = v->data[1], z = v->data[2], dx = v->data[3], dy = v->data[4];
   double r = v->len > 5 ? fabs(v->data[5]) : 0;
   if (dx == 0 || dy == 0 || 2 * r >= fmin(fabs(dx), fabs(dy))) {
-    script__error(s, n->loc, r > 0 ? "the corners of this Rectangle are larger than its sides" : "this Rectangle has no area");
+    script__error(s, n->loc,
+                  r > 0 ? "the corners of this Rectangle are larger than its sides"
+                        : "this Rectangle has no area");
     return;
   }
   if (dx < 0) x += dx, dx = -dx;
   if (dy < 0) y += dy, dy = -dy;
   int c[8];
   if (r == 0) {
-    int p[4] = {add_point(s, x, y, z, n->loc), add_point(s, x + dx, y, z, n->loc), add_point(s, x + dx, y + dy, z, n->loc),
-                add_point(s, x, y + dy, z, n->loc)};
+    int p[4] = {add_point(s, x, y, z, n->loc), add_point(s, x + dx, y, z, n->loc),
+                add_point(s, x + dx, y + dy, z, n->loc), add_point(s, x, y + dy, z, n->loc)};
     for (int i = 0; i < 4; i++) c[i] = add_line(s, p[i], p[(i + 1) % 4], n->loc);
     add_face(s, tag, c, 4, n->loc);
     return;
@@ -195,14 +208,15 @@ static void define_disk(Script *s, const Node *n, int tag, const DoubleVec *v)
     script__error(s, n->loc, "the radius of a Disk must be positive");
     return;
   }
-  int p[4] = {add_point(s, x + rx, y, z, n->loc), add_point(s, x, y + ry, z, n->loc), add_point(s, x - rx, y, z, n->loc),
-              add_point(s, x, y - ry, z, n->loc)};
+  int p[4] = {add_point(s, x + rx, y, z, n->loc), add_point(s, x, y + ry, z, n->loc),
+              add_point(s, x - rx, y, z, n->loc), add_point(s, x, y - ry, z, n->loc)};
   int centre = add_point(s, x, y, z, n->loc), c[4];
   for (int i = 0; i < 4; i++) {
     int a = p[i], b = p[(i + 1) % 4];
-    c[i] = rx == ry ? add_arc(s, a, centre, b, n->loc)
-                    : model_add_curve(s->model, CURVE_ELLIPSE, -1, (int[]){a, centre, rx > ry ? p[0] : p[1], b}, 4, NULL, NULL,
-                                      0, n->loc, s->diag);
+    c[i] = rx == ry
+               ? add_arc(s, a, centre, b, n->loc)
+               : model_add_curve(s->model, CURVE_ELLIPSE, -1, (int[]){a, centre, rx > ry ? p[0] : p[1], b}, 4,
+                                 NULL, NULL, 0, n->loc, s->diag);
   }
   add_face(s, tag, c, 4, n->loc);
 }
@@ -225,11 +239,12 @@ static void define_flat(Script *s, const Node *n, int tag)
   script__give(s, v);
 }
 
-// Circle(n) = {x, y, z, r [, from, to]} and Ellipse(n) = {x, y, z, rx, ry [, from, to]} of OpenCASCADE. An arc of pi or more
-// is not one curve here, so only shorter ones can be made.
+// Circle(n) = {x, y, z, r [, from, to]} and Ellipse(n) = {x, y, z, rx, ry [, from, to]} of OpenCASCADE. An
+// arc of pi or more is not one curve here, so only shorter ones can be made.
 static void refuse_centred_arc(Script *s, const Node *n)
 {
-  script__error(s, n->loc, "%s by centre and radius needs the OpenCASCADE kernel; make it of arcs {start, centre, end}",
+  script__error(s, n->loc,
+                "%s by centre and radius needs the OpenCASCADE kernel; make it of arcs {start, centre, end}",
                 words_text(&s->words, n->word));
 }
 
@@ -261,7 +276,7 @@ void run_define(Script *s, const Node *n)
   }
 }
 
-// ---- physical groups --------------------------------------------------------------------------------------------------------
+// ---- physical groups ---------------------------------------------
 
 void run_physical(Script *s, const Node *n)
 {
@@ -272,7 +287,9 @@ void run_physical(Script *s, const Node *n)
     if (n->kid[1]) tag = eval_int(s, n->kid[1]);
   } else {
     tag = eval_int(s, n->kid[0]);
-    if (n->kid[1]) script__error(s, n->kid[1]->loc, "a physical group is given by number, by name, or by \"name\", number");
+    if (n->kid[1])
+      script__error(s, n->kid[1]->loc,
+                    "a physical group is given by number, by name, or by \"name\", number");
   }
   if (s->faults == faults && tag < 0 && !(name && !n->kid[1])) {
     script__error(s, n->kid[0]->loc, "a tag must be positive, not %d", tag);

@@ -14,7 +14,7 @@ void run_mesh_size(Script *s, const Node *n)
   vec_free(&points);
 }
 
-// ---- transfinite ----------------------------------------------------------------------------------------------------------
+// ---- transfinite ---------------------------------------------
 
 static void transfinite_curve(Script *s, const Node *n)
 {
@@ -33,7 +33,8 @@ static void transfinite_curve(Script *s, const Node *n)
   eval_ints(s, n->kid[0], 1, &curves);
   int nodes = eval_int(s, n->kid[1]);
   enum { MOST = 10 * 1000 * 1000 };
-  if (nodes > MOST) script__error(s, n->kid[1]->loc, "%d nodes on a curve are too many (the limit is %d)", nodes, MOST);
+  if (nodes > MOST)
+    script__error(s, n->kid[1]->loc, "%d nodes on a curve are too many (the limit is %d)", nodes, MOST);
   if (s->faults == faults)
     model_set_transfinite_curve(s->model, curves.data, curves.len, nodes, law, coef, n->loc, s->diag);
   vec_free(&curves);
@@ -54,13 +55,15 @@ static void transfinite_surface(Script *s, const Node *n)
   case KW_Alternate:
   case KW_AlternateRight: a = ARRANGE_ALTERNATE_RIGHT; break;
   default:
-    diag_warning(s->diag, n->loc, "unknown arrangement '%s', taken as Alternate", words_text(&s->words, n->word));
+    diag_warning(s->diag, n->loc, "unknown arrangement '%s', taken as Alternate",
+                 words_text(&s->words, n->word));
     a = ARRANGE_ALTERNATE_RIGHT;
   }
   if (corners.len > 4 && s->faults == faults)
     script__error(s, n->kid[1]->loc, "a transfinite surface has 3 or 4 corners, not %zu", corners.len);
   if (s->faults == faults)
-    model_set_transfinite_face(s->model, faces.data, faces.len, corners.data, corners.len, a, n->loc, s->diag);
+    model_set_transfinite_face(s->model, faces.data, faces.len, corners.data, corners.len, a, n->loc,
+                               s->diag);
   vec_free(&faces);
   vec_free(&corners);
 }
@@ -71,7 +74,7 @@ void run_transfinite(Script *s, const Node *n)
   if (n->op == 2) transfinite_surface(s, n);
 }
 
-// ---- other attributes -------------------------------------------------------------------------------------------------------
+// ---- other attributes ---------------------------------------------
 
 void run_mesh_set(Script *s, const Node *n)
 {
@@ -130,11 +133,12 @@ void run_compound(Script *s, const Node *n)
   IntVec tags = {0};
   int faults = s->faults;
   eval_ints(s, n->kid[0], n->op, &tags);
-  if (n->op < 3 && s->faults == faults) model_set_compound(s->model, n->op, tags.data, tags.len, n->loc, s->diag);
+  if (n->op < 3 && s->faults == faults)
+    model_set_compound(s->model, n->op, tags.data, tags.len, n->loc, s->diag);
   vec_free(&tags);
 }
 
-// ---- fields and views ---------------------------------------------------------------------------------------------------------
+// ---- fields and views ---------------------------------------------
 
 void run_field(Script *s, const Node *n)
 {
@@ -169,7 +173,8 @@ void run_field_option(Script *s, const Node *n)
   } else if (node_is_list(value)) {
     DoubleVec *v = script__take(s);
     eval_list(s, value, v);
-    if (s->faults == faults) field_set_list(s->fields, id, target->text, v->data, v->len, target->loc, s->diag);
+    if (s->faults == faults)
+      field_set_list(s->fields, id, target->text, v->data, v->len, target->loc, s->diag);
     script__give(s, v);
   } else {
     double v = eval_number(s, value);
@@ -189,7 +194,9 @@ void run_view(Script *s, const Node *n)
     vec_clear(value);
     eval_list(s, item->kid[0], xyz);
     eval_list(s, item->kid[1], value);
-    if (!view_add_element(s->fields, item->text, xyz->data, xyz->len, value->data, value->len, item->loc, s->diag)) break;
+    if (!view_add_element(s->fields, item->text, xyz->data, xyz->len, value->data, value->len, item->loc,
+                          s->diag))
+      break;
   }
   script__give(s, value);
   script__give(s, xyz);

@@ -15,7 +15,8 @@ static bool split(const char *name, char category[64], const char **key)
   return true;
 }
 
-static const char *const categories[] = {"General", "Geometry", "Mesh", "Solver", "PostProcessing", "View", "Print"};
+static const char *const categories[] = {"General",        "Geometry", "Mesh", "Solver",
+                                         "PostProcessing", "View",     "Print"};
 
 typedef enum { QUIETLY, TO_READ, TO_SET } FindMode;
 
@@ -36,13 +37,13 @@ static const OptRow *find(Script *s, const char *name, SrcLoc loc, FindMode repo
       diag_warning(s->diag, loc, "unknown option '%s' is left out", name);
       return NULL;
     }
-    script__error(s, loc, "unknown option '%s'%s%s%s%s%s", name, near ? "; did you mean '" : "", near ? category : "",
-                  near ? "." : "", near ? near : "", near ? "'?" : "");
+    script__error(s, loc, "unknown option '%s'%s%s%s%s%s", name, near ? "; did you mean '" : "",
+                  near ? category : "", near ? "." : "", near ? near : "", near ? "'?" : "");
     return NULL;
   }
   const char *near = str_nearest(category, categories, ARRAY_LEN(categories));
-  script__error(s, loc, "unknown option category '%s' in '%s'%s%s%s", category, name, near ? "; did you mean '" : "",
-                near ? near : "", near ? "'?" : "");
+  script__error(s, loc, "unknown option category '%s' in '%s'%s%s%s", category, name,
+                near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
   return NULL;
 }
 
@@ -58,7 +59,9 @@ double option_number(Script *s, const Node *n)
   const OptRow *row = find(s, n->text, n->loc, TO_READ);
   if (!row) return 0;
   double v;
-  if (row->kind == OPT_STAT && s->host && s->host->statistic && s->host->statistic(s->host->ctx, row->key, &v)) return v;
+  if (row->kind == OPT_STAT && s->host && s->host->statistic &&
+      s->host->statistic(s->host->ctx, row->key, &v))
+    return v;
   if (row->kind == OPT_STAT && !strcmp(row->category, "General")) { // the bounding box
     Box3 b = model_bounds(s->model);
     const double of[6] = {b.lo.x, b.lo.y, b.lo.z, b.hi.x, b.hi.y, b.hi.z};
@@ -66,7 +69,8 @@ double option_number(Script *s, const Node *n)
     for (int i = 0; i < 6; i++)
       if (!strcmp(row->key, keys[i])) return b.lo.x <= b.hi.x ? of[i] : 0;
   }
-  if (row->kind == OPT_STR) script__error(s, n->loc, "the option '%s' is a text, a number is needed here", n->text);
+  if (row->kind == OPT_STR)
+    script__error(s, n->loc, "the option '%s' is a text, a number is needed here", n->text);
   return options_get_number(s->options, row);
 }
 
@@ -132,7 +136,8 @@ void run_option(Script *s, const Node *n)
 {
   const Node *target = n->kid[0], *value = n->kid[1];
   if (!strncmp(target->text, "View.", 5) || !strncmp(target->text, "PostProcessing.", 15) ||
-      !strncmp(target->text, "Print.", 6) || !strncmp(target->text, "Solver.", 7) || strstr(target->text, ".Color") ||
+      !strncmp(target->text, "Print.", 6) || !strncmp(target->text, "Solver.", 7) ||
+      strstr(target->text, ".Color") ||
       strstr(target->text, "ColorTable")) // display and post-processing: of no interest, nor is the value
     return;
   if (target->kid[0]) eval_number(s, target->kid[0]);
@@ -148,7 +153,8 @@ void run_option(Script *s, const Node *n)
   double v = 0;
   if (node_is_list(value)) { // {r, g, b} and the like
     const OptRow *row = find(s, target->text, target->loc, TO_SET);
-    if (row && row->kind != OPT_IGNORED) script__error(s, value->loc, "the option '%s' needs a number, not a list", target->text);
+    if (row && row->kind != OPT_IGNORED)
+      script__error(s, value->loc, "the option '%s' needs a number, not a list", target->text);
     return;
   }
   v = eval_number(s, value);

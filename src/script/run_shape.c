@@ -36,7 +36,7 @@ void eval_shapes(Script *s, const Node *shapes, ShapeVec *out)
   vec_free(&tags);
 }
 
-// ---- transformations ----------------------------------------------------------------------------------------------------
+// ---- transformations ---------------------------------------------
 
 static bool affine_of_list(Script *s, const Node *n, Affine *a)
 {
@@ -118,7 +118,7 @@ static void transform(Script *s, const Node *n, ShapeVec *out)
   vec_free(&shapes);
 }
 
-// ---- extrusion -----------------------------------------------------------------------------------------------------------
+// ---- extrusion ---------------------------------------------
 
 // Layers{n} or Layers{{n..},{h..}} into the arrays given, which must outlive *layers.
 static bool eval_layers(Script *s, const Node *n, IntVec *count, DoubleVec *height, Layers *layers)
@@ -176,7 +176,7 @@ static void extrude(Script *s, const Node *n, ShapeVec *out)
   vec_free(&height);
 }
 
-// ---- queries ----------------------------------------------------------------------------------------------------------------
+// ---- queries ---------------------------------------------
 
 static void boundary(Script *s, const Node *n, ShapeVec *out)
 {
@@ -185,8 +185,8 @@ static void boundary(Script *s, const Node *n, ShapeVec *out)
   bool combined = n->word == KW_CombinedBoundary || n->word == KW_OrientedCombinedBoundary;
   bool oriented = n->word == KW_OrientedBoundary || n->word == KW_OrientedCombinedBoundary;
   bool ok = n->word == KW_PointsOf
-              ? model_points_of(s->model, shapes.data, shapes.len, out, n->loc, s->diag)
-              : model_boundary(s->model, shapes.data, shapes.len, combined, oriented, out, n->loc, s->diag);
+                ? model_points_of(s->model, shapes.data, shapes.len, out, n->loc, s->diag)
+                : model_boundary(s->model, shapes.data, shapes.len, combined, oriented, out, n->loc, s->diag);
   if (!ok) s->faults++;
   script__charge(s, shapes.len, n->loc);
   vec_free(&shapes);
@@ -217,7 +217,7 @@ void eval_command(Script *s, const Node *n, ShapeVec *out)
   }
 }
 
-// ---- deleting, merging --------------------------------------------------------------------------------------------------------
+// ---- deleting, merging ---------------------------------------------
 
 static void delete_variable(Script *s, const Node *name)
 {
@@ -277,11 +277,12 @@ void run_coherence(Script *s, const Node *n)
 {
   if (n->n)
     script__error(s, n->loc, "only 'Coherence;' for the whole model is supported");
-  else if (n->word != KW_Mesh && script__charge(s, COST_ENTITY * (uint64_t)model_points(s->model) / 4, n->loc))
+  else if (n->word != KW_Mesh &&
+           script__charge(s, COST_ENTITY * (uint64_t)model_points(s->model) / 4, n->loc))
     model_coherence(s->model, s->diag);
 }
 
-// ---- periodicity: here for its maps -------------------------------------------------------------------------------------------
+// ---- periodicity: here for its maps ---------------------------------------------
 
 static bool periodic_map(Script *s, const Node *n, Affine *a)
 {
@@ -310,11 +311,12 @@ void run_periodic(Script *s, const Node *n)
   if (slave.len != master.len || slave_edge.len != master_edge.len)
     script__error(s, n->loc, "%zu periodic entities, but %zu masters", slave.len, master.len);
   else if (s->faults == faults && n->op == 1)
-    model_set_periodic_curves(s->model, slave.data, master.data, slave.len, mapped ? &map : NULL, n->loc, s->diag);
+    model_set_periodic_curves(s->model, slave.data, master.data, slave.len, mapped ? &map : NULL, n->loc,
+                              s->diag);
   else if (s->faults == faults && n->op == 2)
     for (size_t i = 0; i < slave.len; i++)
-      model_set_periodic_face(s->model, slave.data[i], master.data[i], slave_edge.data, master_edge.data, slave_edge.len,
-                              mapped ? &map : NULL, n->loc, s->diag);
+      model_set_periodic_face(s->model, slave.data[i], master.data[i], slave_edge.data, master_edge.data,
+                              slave_edge.len, mapped ? &map : NULL, n->loc, s->diag);
   vec_free(&slave);
   vec_free(&master);
   vec_free(&slave_edge);

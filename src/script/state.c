@@ -32,13 +32,14 @@ bool script__charge(Script *s, uint64_t work, SrcLoc loc)
   s->work += work;
   if (LIKELY(s->work <= LIMIT_WORK)) return true;
   if (!s->stopped) {
-    script__error(s, loc, "the script does not come to an end: more than %d steps in loops and macros", LIMIT_WORK);
+    script__error(s, loc, "the script does not come to an end: more than %d steps in loops and macros",
+                  LIMIT_WORK);
     s->stopped = true;
   }
   return false;
 }
 
-// ---- variables ---------------------------------------------------------------------------------------------------------
+// ---- variables ---------------------------------------------
 
 Variable *script__variable(Script *s, uint32_t word)
 {
@@ -171,7 +172,7 @@ void variable__set_texts(Script *s, Variable *v, const char *const *text, size_t
   v->text_last = true;
 }
 
-// ---- parameters ----------------------------------------------------------------------------------------------------------
+// ---- parameters ---------------------------------------------
 
 Parameter *script__parameter(Script *s, const char *name, bool make)
 {
@@ -185,7 +186,7 @@ Parameter *script__parameter(Script *s, const char *name, bool make)
   return &vec_last(&s->parameters);
 }
 
-// ---- scratch ---------------------------------------------------------------------------------------------------------------
+// ---- scratch ---------------------------------------------
 
 DoubleVec *script__take(Script *s)
 {

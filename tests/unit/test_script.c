@@ -1,13 +1,16 @@
-// test_script.c - runs tests/script/*/*.geo and compares what they print and report with their `// expect` comments
-// SPDX-License-Identifier: MIT
+// test_script.c - runs tests/script/*/*.geo and compares what they print and report with their `// expect`
+// comments SPDX-License-Identifier: MIT
 //
 //   Printf("%g", 1+1);     // expect: 2
 //   x = y;                 // expect error: unknown variable 'y'
-//   // expect warning: ..., // expect note: ... likewise; the text need only be contained in the message of that line
+//   // expect warning: ..., // expect note: ... likewise; the text need only be contained in the message of
+//   that line
 //   // expect model: points 4, curves 4, loops 1, faces 1, volumes 0, groups 0      (at the end of the run)
-//   // given number NAME 3  (before the run: -setnumber), given string NAME TEXT, given list NAME 1 2 3, given text GEO-TEXT
+//   // given number NAME 3  (before the run: -setnumber), given string NAME TEXT, given list NAME 1 2 3,
+//   given text GEO-TEXT
 //
-// Printed lines are compared in order. Whatever is not announced fails. With arguments: runs these files only.
+// Printed lines are compared in order. Whatever is not announced fails. With arguments: runs these files
+// only.
 #include "base/base.h"
 
 #include <dirent.h>
@@ -43,19 +46,17 @@ static void result(bool ok, const char *path, uint32_t line, const char *what)
   failures += !ok;
 }
 
-// ---- the host: everything asked for is printed in brackets ------------------------------------------------------------------
+// ---- the host: everything asked for is printed in brackets ---------------------------------------------
 
-static void record(Case *c, const char *text)
-{
-  vec_push(&c->printed, mem_strdup(text));
-}
+static void record(Case *c, const char *text) { vec_push(&c->printed, mem_strdup(text)); }
 
 static void host_print(void *ctx, const char *text) { record(ctx, text); }
 
 static bool host_mesh(void *ctx, MeshCommand what, double number, const char *text, SrcLoc loc)
 {
-  static const char *const names[] = {"generate", "refine", "barycentric", "recombine", "order", "optimize",
-                                      "renumber nodes", "renumber elements", "partition", "delete"};
+  static const char *const names[] = {"generate",  "refine",   "barycentric",    "recombine",
+                                      "order",     "optimize", "renumber nodes", "renumber elements",
+                                      "partition", "delete"};
   (void)loc;
   char line[200];
   snprintf(line, sizeof line, "[%s %g%s]", names[what], number, text);
@@ -94,15 +95,17 @@ static bool host_statistic(void *ctx, const char *key, double *value)
   return !strcmp(key, "NbNodes");
 }
 
-// ---- expectations --------------------------------------------------------------------------------------------------------------
+// ---- expectations ---------------------------------------------
 
 static void read_expectations(Case *c, const char *text)
 {
   static const struct {
     const char *mark;
     ExpectKind kind;
-  } marks[] = {{"// expect: ", EXPECT_PRINT},           {"// expect error: ", EXPECT_ERROR},
-               {"// expect warning: ", EXPECT_WARNING}, {"// expect note: ", EXPECT_NOTE},
+  } marks[] = {{"// expect: ", EXPECT_PRINT},
+               {"// expect error: ", EXPECT_ERROR},
+               {"// expect warning: ", EXPECT_WARNING},
+               {"// expect note: ", EXPECT_NOTE},
                {"// expect model: ", EXPECT_MODEL}};
   uint32_t line = 1;
   for (const char *p = text; *p; line++) {
@@ -200,7 +203,8 @@ static void check_model(Case *c, const char *path, const Model *m)
     const Expect *e = &c->expect.data[i];
     if (e->kind != EXPECT_MODEL) continue;
     static const char *const kinds[] = {"points", "curves", "loops", "faces", "volumes", "groups"};
-    const size_t counts[] = {model_points(m), model_curves(m), model_loops(m), model_faces(m), model_volumes(m), model_groups(m)};
+    const size_t counts[] = {model_points(m), model_curves(m),  model_loops(m),
+                             model_faces(m),  model_volumes(m), model_groups(m)};
     bool ok = true;
     for (size_t k = 0; k < ARRAY_LEN(kinds); k++) {
       const char *hit = strstr(e->text, kinds[k]);
@@ -229,7 +233,11 @@ static void run_case(const char *path)
   options_init(&options);
   FieldSet *fields = fields_new();
   Diag *diag = diag_new(false);
-  ScriptHost host = {.ctx = &c, .mesh = host_mesh, .save = host_save, .merge = host_merge, .print = host_print,
+  ScriptHost host = {.ctx = &c,
+                     .mesh = host_mesh,
+                     .save = host_save,
+                     .merge = host_merge,
+                     .print = host_print,
                      .statistic = host_statistic};
   Script *s = script_new(model, &options, fields, diag, &host);
   apply_given(s, text);
@@ -264,8 +272,10 @@ static void run_folder(const char *dir)
     str_printf(&path, "%s/%s", dir, name);
     struct stat st;
     if (name[0] != '.' && name[0] != '_' && stat(str_text(&path), &st) == 0) {
-      if (S_ISDIR(st.st_mode)) run_folder(str_text(&path));
-      else if (len > 4 && !strcmp(name + len - 4, ".geo")) run_case(str_text(&path));
+      if (S_ISDIR(st.st_mode))
+        run_folder(str_text(&path));
+      else if (len > 4 && !strcmp(name + len - 4, ".geo"))
+        run_case(str_text(&path));
     }
     str_free(&path);
     free(entry[i]);
