@@ -92,16 +92,24 @@ void refine__conform(Refiner *r);
 // ---- tri_renumber.c
 // Number triangles, and vertices from `first` on, along a Hilbert curve; of these, isolated ones go. Drops the hints. O(n).
 void refine__renumber(Refiner *r, VertId first);
+// Number vertices from `first` on anew without the isolated ones. Keeps the hints. O(n).
+void refine__drop_isolated(Refiner *r, VertId first);
 
 // ---- optimization
 // Make hints and the arrays by vertex. The first `given` vertices are not to move.
 void refine__prepare(Refiner *r, VertId given);
 // Passes of repositioning over the vertices awake.
 void refine__smooth(Refiner *r, int passes);
+// Collapse e onto its destination if the triangles made have at least the quality and edges the length given. The origin becomes
+// isolated.
+bool refine__collapse(Refiner *r, EdgeId e, double least_quality, double longest);
+void refine__wake_around(Refiner *r, VertId v);
 // Flip edges that are not locally Delaunay, near vertices awake, where the worse triangle gets better. Returns how many.
 size_t refine__flips(Refiner *r);
 // Improve the position of interior vertex v; true if it moved.
 bool refine__relocate(Refiner *r, VertId v);
+// The same for the worst triangle around v alone, by pattern search. Dearer.
+bool refine__relocate_worst(Refiner *r, VertId v);
 void refine__optimize(Refiner *r, int level);
 
 #endif

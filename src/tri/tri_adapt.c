@@ -12,7 +12,7 @@
 #define LONG 1.4142135623730951  // the sweeps keep edges in [sqrt(1/2), sqrt(2)]: cutting a long one in two makes no short
 #define SHORT 0.7071067811865475 // one, and there are fewer triangles than with [2/3, 4/3] [book §4.4.3]
 #define LEAST_QUALITY 0.3 // kappa_4^2 that a split or a collapse must leave to every triangle, unless it was worse
-enum { NKEYS = 128, MAX_SWEEPS = 10, MAX_BALL = 32 };
+enum { NKEYS = 128, MAX_SWEEPS = 10 };
 
 typedef struct {
   EdgeId e;
@@ -104,18 +104,6 @@ static void added_vertex(Refiner *r, VertId v, double size, double carried)
   r->fixed[v] = false, r->awake[v] = 1, r->excess[v] = 0;
 }
 
-static void wake_around(Refiner *r, VertId v)
-{
-  const Tri *m = r->m;
-  EdgeId first = m->hint[v], e = first;
-  r->awake[v] = 1;
-  do {
-    VertId u = tri_dest(m, e);
-    if (u != TRI_INF) r->awake[u] = 1;
-    e = tri_ccw(m, e);
-  } while (e != first);
-}
-
 // Would the four triangles of e split at p be fair, or no worse than the two now?
 static bool split_is_good(const Tri *m, EdgeId e, const double *p)
 {
@@ -143,26 +131,10 @@ static size_t split_long(Refiner *r)
     VertId v = tri_split_edge(m, p, e);
     if (v == NONE) continue;
     added_vertex(r, v, h, carried);
-    wake_around(r, v);
+    refine__wake_around(r, v);
     r->stats->inserted++, n++;
   }
   return n;
-}
-
-// Would the triangles around a, moved onto b, keep a fair shape and edges that are not long?
-static bool collapse_is_good(const Refiner *r, EdgeId e)
-{
-  const Tri *m = r->m;
-  VertId a = tri_org(m, e), b = tri_dest(m, e);
-  int n = 0;
-  for (EdgeId f = tri_ccw(m, e); f != e; f = tri_ccw(m, f)) {
-    VertId c = tri_dest(m, f), d = tri_apex(m, f);
-    if (++n > MAX_BALL) return false;
-    if (c != b && length_of(r, b, c) > LONG) return false;
-    if (c == b || d == b) continue;
-    if (metric_quality(tri_xy(m, b), tri_xy(m, c), tri_xy(m, d)) < LEAST_QUALITY) return false;
-  }
-  return a != b;
 }
 
 static size_t collapse_short(Refiner *r)
@@ -172,12 +144,7 @@ static size_t collapse_short(Refiner *r)
   for (EdgeId e = 0; e < 3 * m->nt; e++) {
     if (tri_is_free(m, tri_of(e)) || !tri_is_inside(m, tri_of(e)) || tri_is_segment(m, e)) continue;
     VertId a = tri_org(m, e), b = tri_dest(m, e);
-    if (r->fixed[a] || length_of(r, a, b) >= SHORT) continue;
-    if (!collapse_is_good(r, e) || !tri_can_collapse(m, e)) continue;
-    wake_around(r, a);
-    tri_collapse(m, e);
-    r->fixed[a] = true; // isolated now
-    r->stats->collapses++, n++;
+    if (length_of(r, a, b) < SHORT) n += refine__collapse(r, e, LEAST_QUALITY, LONG);
   }
   return n;
 }

@@ -5,6 +5,8 @@
 
 // A star is worth a visit if one of its triangles has 1/kappa_4^2 above this: a lattice is left alone.
 #define GOOD 1.005
+// kappa_4^2 of triangles that are mended one by one.
+#define MENDED 0.72
 
 typedef struct {
   double sum, worst; // of 1/kappa_4^2
@@ -46,37 +48,99 @@ static inline bool flippable(const Tri *m, EdgeId e)
   return m->twin[e] > e && !(m->flag[tri_of(e)] & (TRI_OUTSIDE_FLAG | TRI_FREE)) && !tri_is_segment(m, e);
 }
 
-// Flip e if that brings the valences of its four vertices nearer to what they should be and, after repositioning them, the
-// triangles around are better.
-static bool repair_by_flip(Refiner *r, EdgeId e)
+void refine__wake_around(Refiner *r, VertId v)
+{
+  const Tri *m = r->m;
+  EdgeId first = m->hint[v], e = first;
+  r->awake[v] = 1;
+  do {
+    VertId u = tri_dest(m, e);
+    if (u != TRI_INF) r->awake[u] = 1;
+    e = tri_ccw(m, e);
+  } while (e != first);
+}
+
+// Would the triangles around the origin of e, moved onto its destination, have at least that quality and edges that short?
+static bool collapse_is_good(const Refiner *r, EdgeId e, double least, double longest)
+{
+  const Tri *m = r->m;
+  VertId b = tri_dest(m, e);
+  const double *pb = tri_xy(m, b);
+  for (EdgeId f = tri_ccw(m, e); f != e; f = tri_ccw(m, f)) {
+    VertId c = tri_dest(m, f), d = tri_apex(m, f);
+    if (metric_length(pb, tri_xy(m, c), r->size[b], r->size[c]) > longest) return false;
+    if (d != b && metric_quality(pb, tri_xy(m, c), tri_xy(m, d)) < least) return false;
+  }
+  return true;
+}
+
+bool refine__collapse(Refiner *r, EdgeId e, double least, double longest)
+{
+  Tri *m = r->m;
+  VertId a = tri_org(m, e), b = tri_dest(m, e);
+  if (r->fixed[a] || !collapse_is_good(r, e, least, longest) || !tri_can_collapse(m, e)) return false;
+  refine__wake_around(r, a);
+  VertId c = tri_apex(m, e), d = tri_apex(m, m->twin[e]);
+  if (!r->fixed[b]) r->excess[b] = (int16_t)(r->excess[b] + r->excess[a] + 2);
+  if (!r->fixed[c]) r->excess[c]--;
+  if (!r->fixed[d]) r->excess[d]--;
+  tri_collapse(m, e);
+  r->fixed[a] = true; // isolated now
+  r->stats->collapses++;
+  return true;
+}
+
+// What a trial may change: four vertices, to be put back.
+typedef struct {
+  VertId v[4];
+  double xy[8], size[4];
+  size_t moves;
+} Saved;
+
+static Saved save(const Refiner *r, const VertId *v)
+{
+  Saved s = {.moves = r->stats->moves};
+  for (int k = 0; k < 4; k++) {
+    s.v[k] = v[k];
+    s.xy[2 * k] = r->m->xy[2 * (size_t)v[k]], s.xy[2 * k + 1] = r->m->xy[2 * (size_t)v[k] + 1];
+    s.size[k] = r->size[v[k]];
+  }
+  return s;
+}
+
+static void restore(Refiner *r, const Saved *s)
+{
+  for (int k = 0; k < 4; k++) {
+    r->m->xy[2 * (size_t)s->v[k]] = s->xy[2 * k], r->m->xy[2 * (size_t)s->v[k] + 1] = s->xy[2 * k + 1];
+    r->size[s->v[k]] = s->size[k];
+  }
+  r->stats->moves = s->moves;
+}
+
+// Flip e and reposition its four vertices; keep that if the triangles around are better: in sum and, above the floor, none worse
+// than the worst; or, if `worst`, the worst of them by 2 %.
+static bool try_flip(Refiner *r, EdgeId e, bool worst)
 {
   Tri *m = r->m;
   VertId q[4] = {tri_org(m, e), tri_dest(m, e), tri_apex(m, e), tri_apex(m, m->twin[e])};
   if (!tri_can_flip(m, e)) return false;
   Worth before = patch_worth(m, q);
-  double xy[8], size[4];
-  for (int k = 0; k < 4; k++) {
-    xy[2 * k] = m->xy[2 * (size_t)q[k]], xy[2 * k + 1] = m->xy[2 * (size_t)q[k] + 1];
-    size[k] = r->size[q[k]];
-  }
-  size_t moves = r->stats->moves;
+  Saved saved = save(r, q);
   double floor = r->floor;
   flip(r, e);
   r->floor = INFINITY; // the flip may have made them bad at first
   for (int pass = 0; pass < 3; pass++)
     for (int k = 0; k < 4; k++)
-      if (!r->fixed[q[k]]) refine__relocate(r, q[k]);
+      if (!r->fixed[q[k]] && (!worst || pass < 1 || !refine__relocate_worst(r, q[k]))) refine__relocate(r, q[k]);
   r->floor = floor;
   Worth after = patch_worth(m, q);
-  if (after.sum < before.sum && after.worst <= (before.worst > floor ? before.worst : floor)) {
+  bool good = worst ? after.worst < 0.98 * before.worst
+                    : after.sum < before.sum && after.worst <= (before.worst > floor ? before.worst : floor);
+  if (good) {
     r->stats->flips++;
     return true;
   }
-  for (int k = 0; k < 4; k++) {
-    m->xy[2 * (size_t)q[k]] = xy[2 * k], m->xy[2 * (size_t)q[k] + 1] = xy[2 * k + 1];
-    r->size[q[k]] = size[k];
-  }
-  r->stats->moves = moves;
+  restore(r, &saved);
   flip(r, e);
   return false;
 }
@@ -111,8 +175,83 @@ static size_t repair_valences(Refiner *r)
     int a = r->excess[tri_org(m, e)], b = r->excess[tri_dest(m, e)];
     if (a + b < 1) continue; // the apexes have at least -1 each but where a triangle is very bad
     int c = r->excess[tri_apex(m, e)], d = r->excess[tri_apex(m, m->twin[e])];
-    if (a + b - c - d >= 3) n += repair_by_flip(r, e);
+    if (a + b - c - d >= 3) n += try_flip(r, e, false);
   }
+  return n;
+}
+
+typedef struct {
+  double quality;
+  TriId t;
+  VertId v[3];
+} Bad;
+
+static int worse_first(const void *a, const void *b)
+{
+  const Bad *x = a, *y = b;
+  if (x->quality != y->quality) return x->quality < y->quality ? -1 : 1;
+  return (x->t > y->t) - (x->t < y->t);
+}
+
+static double quality_of(const Tri *m, TriId t)
+{
+  const uint32_t *v = m->vert + 3 * (size_t)t;
+  return metric_quality(tri_xy(m, v[0]), tri_xy(m, v[1]), tri_xy(m, v[2]));
+}
+
+// Collapse the shortest edge of t if that makes better triangles.
+static bool collapse_shortest(Refiner *r, TriId t)
+{
+  Tri *m = r->m;
+  EdgeId best = NONE;
+  double least = INFINITY;
+  for (EdgeId e = 3 * t; e < 3 * t + 3; e++) {
+    double d = metric_distance2(tri_xy(m, tri_org(m, e)), tri_xy(m, tri_dest(m, e)));
+    if (d < least && !tri_is_segment(m, e)) least = d, best = e;
+  }
+  if (best == NONE) return false;
+  double quality = 1.1 * quality_of(m, t);
+  VertId kept = tri_dest(m, best);
+  if (!refine__collapse(r, best, quality, METRIC_LONG)) {
+    kept = tri_org(m, best);
+    if (!refine__collapse(r, m->twin[best], quality, METRIC_LONG)) return false;
+  }
+  if (!r->fixed[kept]) refine__relocate_worst(r, kept), refine__relocate(r, kept);
+  return true;
+}
+
+// Something for triangle t: its vertices, then its edges.
+static bool mend(Refiner *r, TriId t)
+{
+  Tri *m = r->m;
+  bool moved = false;
+  for (EdgeId e = 3 * t; e < 3 * t + 3; e++)
+    if (!r->fixed[m->vert[e]]) moved |= refine__relocate_worst(r, m->vert[e]);
+  if (quality_of(m, t) > MENDED) return true;
+  for (EdgeId e = 3 * t; e < 3 * t + 3; e++)
+    if (!tri_is_segment(m, e) && try_flip(r, e, true)) return true;
+  return moved || collapse_shortest(r, t);
+}
+
+// The worst triangles, one by one, for the sake of the worst alone. Returns how many got better.
+static size_t mend_worst(Refiner *r)
+{
+  Tri *m = r->m;
+  Vec(Bad) bad = {0};
+  for (TriId t = 0; t < m->nt; t++) {
+    if (!tri_is_inside(m, t)) continue;
+    const uint32_t *v = m->vert + 3 * (size_t)t;
+    if (r->fixed[v[0]] && r->fixed[v[1]] && r->fixed[v[2]]) continue;
+    Bad b = {quality_of(m, t), t, {v[0], v[1], v[2]}};
+    if (b.quality < MENDED) vec_push(&bad, b);
+  }
+  if (bad.len) qsort(bad.data, bad.len, sizeof *bad.data, worse_first);
+  size_t n = 0;
+  for (size_t i = 0; i < bad.len; i++) {
+    const Bad *b = &bad.data[i];
+    if (memcmp(m->vert + 3 * (size_t)b->t, b->v, sizeof b->v) == 0) n += mend(r, b->t);
+  }
+  vec_free(&bad);
   return n;
 }
 
@@ -162,4 +301,5 @@ void refine__optimize(Refiner *r, int level)
     refine__smooth(r, 1);
     if (flips == 0 && r->stats->moves == moves) break;
   }
+  for (int k = 0; k < 2 * rounds && mend_worst(r); k++) continue;
 }

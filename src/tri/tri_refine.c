@@ -18,7 +18,7 @@ static double ask_size(const Refiner *r, const double *p)
 }
 
 // Each initial vertex carries the length of its shortest edge, but no less than half its shortest segment: so narrow gaps are
-// refined, and a stray vertex near a segment is not.
+// refined, and a stray vertex near a segment is not. MeshAdapt goes by the segments alone, as Gmsh's does.
 static void carry_from_boundary(Refiner *r)
 {
   const Tri *m = r->m;
@@ -32,9 +32,9 @@ static void carry_from_boundary(Refiner *r)
     if (tri_is_segment(m, e)) segment[a] = fmin(segment[a], d), segment[b] = fmin(segment[b], d);
   }
   for (VertId v = 0; v < m->nv; v++) {
-    double s = 0.5 * sqrt(segment[v]);
+    double s = sqrt(segment[v]);
     r->carried[v] = sqrt(r->carried[v]);
-    if (isfinite(s)) r->carried[v] = fmax(r->carried[v], s);
+    if (isfinite(s)) r->carried[v] = r->p->algorithm == REFINE_ADAPT ? s : fmax(r->carried[v], 0.5 * s);
     if (r->p->vertex_size) r->carried[v] = fmin(r->carried[v], r->p->vertex_size[v]);
     if (!isfinite(r->carried[v])) r->carried[v] = 1; // an isolated vertex, which nobody will ask
   }
@@ -244,7 +244,9 @@ TriRefineStats tri_refine(Tri *m, const TriRefineParams *p)
   }
   if (p->algorithm != REFINE_EMPTY && stats.outcome != REFINE_CANCELLED) {
     refine__smooth(&r, p->smoothing);
+    size_t before = stats.collapses;
     refine__optimize(&r, p->optimize);
+    if (stats.collapses > before) refine__drop_isolated(&r, given);
   }
   if (p->min_angle > 0 && stats.outcome == REFINE_DONE) {
     tri_legalize_all(m);

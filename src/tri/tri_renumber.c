@@ -88,3 +88,23 @@ void refine__renumber(Refiner *r, VertId first)
   m->hint = NULL;
   free(curve), free(rank), free(order);
 }
+
+void refine__drop_isolated(Refiner *r, VertId first)
+{
+  Tri *m = r->m;
+  uint32_t *to = mem_alloc(m->nv * sizeof *to);
+  VertId next = 0;
+  for (VertId v = 0; v < m->nv; v++) {
+    to[v] = next;
+    if (v >= first && m->hint[v] == NONE) continue;
+    m->hint[next] = m->hint[v];
+    m->xy[2 * (size_t)next] = m->xy[2 * (size_t)v], m->xy[2 * (size_t)next + 1] = m->xy[2 * (size_t)v + 1];
+    r->size[next] = r->size[v];
+    if (r->carried) r->carried[next] = r->carried[v];
+    next++;
+  }
+  for (EdgeId e = 0; e < 3 * m->nt; e++)
+    if (m->vert[e] < TRI_MAX_VERTICES && !tri_is_free(m, tri_of(e))) m->vert[e] = to[m->vert[e]];
+  m->nv = next;
+  free(to);
+}

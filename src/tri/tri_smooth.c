@@ -80,19 +80,23 @@ static void ideal(const Star *s, double h, const double *each, double *p)
   p[0] = sx / sw, p[1] = sy / sw;
 }
 
-// Would v at p with size h keep every edge in [2/3, 4/3], or at least no further from it than before?
+// By how much a length is out of [2/3, 4/3], as a factor; 1 inside.
+static double out_of_range(double l)
+{
+  return l < METRIC_SHORT ? METRIC_SHORT / l : l > METRIC_LONG ? l / METRIC_LONG : 1;
+}
+
+// Would v at p with size h keep its edges in [2/3, 4/3], or at least the worst no further from it than now?
 static bool lengths_kept(const Refiner *r, const Star *s, VertId v, const double *p, double h)
 {
   const double *old = tri_xy(r->m, v);
-  double h0 = r->size[v];
+  double h0 = r->size[v], now = 1, then = 1;
   for (int j = 0; j < s->n; j++) {
     double q[2] = {s->x[j], s->y[j]}, hq = r->size[s->id[j]];
-    double l = metric_length(p, q, h, hq);
-    if (l >= METRIC_SHORT && l <= METRIC_LONG) continue;
-    double k = metric_length(old, q, h0, hq);
-    if (l < METRIC_SHORT ? l < k : l > k) return false;
+    double a = out_of_range(metric_length(old, q, h0, hq)), b = out_of_range(metric_length(p, q, h, hq));
+    now = MAX(now, a), then = MAX(then, b);
   }
-  return true;
+  return then <= now;
 }
 
 // What v brings along when it moves to p. The size carried from the boundary stays: moves are short.
@@ -136,6 +140,34 @@ bool refine__relocate(Refiner *r, VertId v)
     p[0] = 0.5 * (p[0] + x), p[1] = 0.5 * (p[1] + y);
   }
   return false;
+}
+
+bool refine__relocate_worst(Refiner *r, VertId v)
+{
+  static const double way[8][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {.7, .7}, {-.7, .7}, {-.7, -.7}, {.7, -.7}};
+  Star s;
+  double p[2] = {r->m->xy[2 * (size_t)v], r->m->xy[2 * (size_t)v + 1]}, step = 0.2 * r->size[v];
+  if (!gather(r, v, &s)) return false;
+  double best = worth(&s, p[0], p[1], r->size[v], NULL).worst;
+  bool moved = false;
+  for (int k = 0; k < 20 && step > 0.01 * r->size[v]; k++) {
+    int least = -1;
+    for (int i = 0; i < 8; i++) {
+      double w = worth(&s, p[0] + step * way[i][0], p[1] + step * way[i][1], r->size[v], NULL).worst;
+      if (w < 0.995 * best && w < 1e8) best = w, least = i;
+    }
+    if (least < 0) {
+      step *= 0.5;
+      continue;
+    }
+    p[0] += step * way[least][0], p[1] += step * way[least][1];
+    moved = true;
+  }
+  if (!moved) return false;
+  double h = size_moved(r, v, p);
+  if (!lengths_kept(r, &s, v, p, h)) return false;
+  move(r, &s, v, p, h);
+  return true;
 }
 
 void refine__smooth(Refiner *r, int passes)
