@@ -8,6 +8,9 @@ void face_graph_free(FaceGraph *g)
 {
   map_free(&g->local);
   map_free(&g->has_curve);
+  map_free(&g->middle);
+  vec_free(&g->middle_node);
+  vec_free(&g->middle_xy);
   vec_free(&g->node);
   vec_free(&g->xy);
   vec_free(&g->ends);
@@ -35,6 +38,15 @@ typedef struct {
   const EdgeNodes *nodes;
 } Source;
 
+static void add_middle(FaceGraph *g, const Face *f, const EdgeNodes *en, uint32_t a, uint32_t b, uint32_t node)
+{
+  Vec2 q = face_to_plane(f, en->xyz[node]);
+  map_set(&g->middle, map_pair(a, b), (uint32_t)g->middle_node.len);
+  vec_push(&g->middle_node, node);
+  vec_push(&g->middle_xy, q.x);
+  vec_push(&g->middle_xy, q.y);
+}
+
 static void graph_add_curve(FaceGraph *g, const Source *s, const Face *f, int tag, bool embedded)
 {
   bool fresh;
@@ -42,9 +54,10 @@ static void graph_add_curve(FaceGraph *g, const Source *s, const Face *f, int ta
   if (!fresh) return;
   size_t k = mesh1d_index(s->curves, tag);
   const CurveMesh *cm = &s->curves->curve[k];
-  for (size_t i = 0; i + 1 < cm->n; i++) {
+  for (size_t i = 0, step = g->coarse ? 2 : 1; i + 1 < cm->n; i += step) {
     uint32_t a = graph_vertex(g, f, s->nodes, edge_nodes_at(s->nodes, s->model, s->curves, k, i));
-    uint32_t b = graph_vertex(g, f, s->nodes, edge_nodes_at(s->nodes, s->model, s->curves, k, i + 1));
+    uint32_t b = graph_vertex(g, f, s->nodes, edge_nodes_at(s->nodes, s->model, s->curves, k, i + step));
+    if (g->coarse) add_middle(g, f, s->nodes, a, b, edge_nodes_at(s->nodes, s->model, s->curves, k, i + 1));
     vec_push(&g->ends, a);
     vec_push(&g->ends, b);
     vec_push(&g->curve, tag < 0 ? -tag : tag);

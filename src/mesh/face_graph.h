@@ -19,6 +19,13 @@ typedef struct {
   IntVec curve;       // per segment: tag of its curve
   Vec(bool) embedded; // per segment: inside the face, does not bound it
   Map has_curve;      // tags of the curves added so far
+
+  // coarse: set before curves are added, whose numbers of edges must be even. Segments then join every second node, and the nodes
+  // between are kept: middle[map_pair(ends)] is the index of node middle_node[] at middle_xy[].
+  bool coarse;
+  Map middle;
+  U32Vec middle_node;
+  DoubleVec middle_xy;
 } FaceGraph;
 
 // Add boundary curves (one that the loops run along twice is a slit and lies inside), embedded curves and points of f. Curves that

@@ -6,6 +6,7 @@
 
 #include "base/thread.h"
 #include "mesh/face_graph.h"
+#include "mesh/face_quads.h"
 #include "mesh/filling_mesh.h"
 #include "mesh/structured.h"
 #include "tri/refine.h"
@@ -74,12 +75,26 @@ static void extract(const Tri *t, const FaceGraph *g, const Driver *d, const Fac
   free(id);
 }
 
+// Sizes of a mesh whose every element is going to be split.
+typedef struct {
+  SizeAt size;
+  void *ctx;
+} Doubled;
+
+static double doubled_size(void *ctx, Vec2 q)
+{
+  const Doubled *d = ctx;
+  return 2 * d->size(d->ctx, q);
+}
+
 static void mesh_plane_face(const Driver *d, size_t k, SizeEval *eval, FaceMesh *out, Diag *diag)
 {
   const Face *f = model_face_at(d->in->model, k);
   FaceGraph g = {0};
   Filling filling;
   FaceMap map = {f, filling_wanted(&filling, d->in->model, f) ? &filling : NULL, eval};
+  if (!map.filling && !boundary_layers_on(d->in->layers, k))
+    g.coarse = face_is_split(d->in->model, f, d->in->curves, d->in->options);
   if (boundary_layers_on(d->in->layers, k))
     boundary_layers_fill(d->in->layers, k, d->in->curves, d->nodes, out, &g);
   else
@@ -94,6 +109,11 @@ static void mesh_plane_face(const Driver *d, size_t k, SizeEval *eval, FaceMesh 
       p.size = filling_size;
       p.size_ctx = &map;
     }
+    Doubled doubled = {p.size, p.size_ctx};
+    if (g.coarse) {
+      p.size = doubled_size;
+      p.size_ctx = &doubled;
+    }
     double *sizes = NULL;
     p.sizes_out = &sizes;
     TriRefineStats s = tri_refine(&t, &p);
@@ -102,6 +122,8 @@ static void mesh_plane_face(const Driver *d, size_t k, SizeEval *eval, FaceMesh 
       diag_error(diag, f->loc, "surface %d would have more than %zu triangles (Mesh.MaxElements, -max_elements)", f->tag,
                  p.max_triangles);
       out->failed = true;
+    } else if (face_is_recombined(f, d->in->options)) {
+      face_quads(&t, &g, &map, d->in->options, (uint32_t)d->nodes->n, sizes, out, diag);
     } else {
       extract(&t, &g, d, &map, sizes, out);
     }

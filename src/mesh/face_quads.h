@@ -1,0 +1,22 @@
+// face_quads.h - recombining the triangles of a face to quadrangles
+// SPDX-License-Identifier: MIT
+#ifndef MESH_FACE_QUADS_H
+#define MESH_FACE_QUADS_H
+
+#include "mesh/filling_mesh.h"
+#include "mesh/mesh2d.h"
+
+// Is face f to be recombined, by its own attribute or by Mesh.RecombineAll?
+bool face_is_recombined(const Face *f, const Options *o);
+
+// Do the full-quad methods apply to f: asked for, and has every one of its curves an even number of edges? Then its graph is to be
+// made of every second node (FaceGraph.coarse), and the mesh is of double size until every element is split.
+bool face_is_split(const Model *m, const Face *f, const Mesh1d *curves, const Options *o);
+
+// What extract is for triangles: the triangles of t that are inside, recombined, appended to out. g is the graph that t was made from,
+// base the number of nodes of points and curves, size the wanted edge length at each vertex of t. Warns where triangles remain
+// although quadrangles only were asked for.
+void face_quads(const Tri *t, const FaceGraph *g, const FaceMap *map, const Options *o, uint32_t base, const double *size,
+                FaceMesh *out, Diag *diag);
+
+#endif
