@@ -30,6 +30,7 @@ bool face_loop_make(FaceLoop *l, const Mesh2dInput *in, const Face *f, const Edg
   IntVec curve = {0}, start = {0};
   face_boundary(in->model, f, &curve, &start);
   bool good = start.len == 2;
+  l->first_backwards = good && curve.data[0] < 0;
   for (size_t i = 0; i < curve.len && good; i++) push_curve(l, in, en, params ? &s : NULL, curve.data[i]);
   vec_free(&curve);
   vec_free(&start);
@@ -124,6 +125,13 @@ static bool corner_nodes(Patch *p, uint32_t id[4])
     n++;
   }
   p->ncorner = (int)n;
+  if (p->loop.first_backwards && (n == 3 || n == 4)) { // as Gmsh: from the begin of the first curve, along it
+    const uint32_t as_run[4] = {id[0], id[1], id[2], id[n == 4 ? 3 : 2]};
+    id[0] = as_run[1];
+    id[1] = as_run[0];
+    id[2] = as_run[3];
+    id[3] = as_run[2];
+  }
   if (n == 3 || n == 4) return true;
   diag_warning(p->diag, f->loc, "surface %d cannot be transfinite (it has %zu curves and no 3 or 4 corners were named)", f->tag, n);
   return false;
@@ -306,7 +314,7 @@ static int smoothing_passes(const Patch *p)
   if (p->ncorner != 4) return 0;
   if (p->f->smoother > 0) return p->f->smoother;
   int smoothing = p->in->options->Mesh_Smoothing;
-  return smoothing > 1 ? smoothing - 1 : 0;
+  return smoothing > 1 ? smoothing : 0;
 }
 
 enum { UNFOLD_ROUNDS = 8, UNFOLD_PASSES = 25 };

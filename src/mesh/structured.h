@@ -24,6 +24,7 @@ typedef struct {
   Vec(Vec2) param;  // empty unless asked for and the filling has four curves
   size_t ncurve;
   U32Vec curve_at;  // position where each curve begins
+  bool first_backwards; // the loop runs its first curve against its sense
 } FaceLoop;
 // False if the face has more than one closed loop. Free with face_loop_free.
 bool face_loop_make(FaceLoop *l, const Mesh2dInput *in, const Face *f, const EdgeNodes *en, bool params);
