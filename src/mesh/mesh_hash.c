@@ -8,6 +8,7 @@
 #include "mesh/mesh_hash.h"
 
 #include "mesh/element.h"
+#include "mesh/mesh_hash_int.h"
 
 static uint64_t mix(uint64_t z)
 {
@@ -72,7 +73,8 @@ static void make_symmetries(Symmetries *s, ElemType t)
   }
 }
 
-static void hash_block(const Mesh *m, const MeshBlock *k, const uint64_t *node, MeshHash *sum)
+// each (may be NULL) gets the hash of every element.
+static void hash_block(const Mesh *m, const MeshBlock *k, const uint64_t *node, MeshHash *sum, uint64_t *each)
 {
   const IntVec *groups = &m->entity[k->entity].physical;
   Symmetries s;
@@ -88,6 +90,7 @@ static void hash_block(const Mesh *m, const MeshBlock *k, const uint64_t *node, 
       if (!have[flip]) h[flip] = element_hash(node, v, s.perm[flip], s.n, s.corners, seed);
       have[flip] = true;
       if (g == 0) add(sum->shape, h[first]);
+      if (g == 0 && each) each[i] = h[first];
       add(sum->groups, chain(h[flip], (uint64_t)abs(tag)));
     }
   }
@@ -109,18 +112,25 @@ static void hash_names(const Mesh *m, uint64_t sum[2])
   }
 }
 
-MeshHash mesh_hash(const Mesh *m, bool save_all)
+uint64_t *mesh_hash__points(const Mesh *m)
 {
-  MeshHash sum = {{0, 0}, {0, 0}, {0, 0}};
-  bool all = save_all || !mesh_is_grouped(m);
   uint64_t *node = mem_alloc(m->nnode * sizeof *node);
   for (size_t i = 0; i < m->nnode; i++) {
     const double *x = m->xyz + 3 * i;
     node[i] = chain(chain(chain(1, double_bits(x[0])), double_bits(x[1])), double_bits(x[2]));
   }
-  for (size_t b = 0; b < m->nblock; b++)
-    if (all || m->entity[m->block[b].entity].physical.len) hash_block(m, &m->block[b], node, &sum);
-  free(node);
+  return node;
+}
+
+MeshHash mesh_hash__of(const Mesh *m, bool save_all, const uint64_t *node, uint64_t *each)
+{
+  MeshHash sum = {{0, 0}, {0, 0}, {0, 0}};
+  bool all = save_all || !mesh_is_grouped(m);
+  for (size_t b = 0; b < m->nblock; b++) {
+    const MeshBlock *k = &m->block[b];
+    if (all || m->entity[k->entity].physical.len) hash_block(m, k, node, &sum, each);
+    if (each) each += k->n;
+  }
   uint64_t names[2] = {0, 0};
   hash_names(m, names);
   for (int i = 0; i < 2; i++) {
@@ -128,6 +138,14 @@ MeshHash mesh_hash(const Mesh *m, bool save_all)
     sum.full[i] = chain(sum.groups[i], names[i]);
   }
   return sum;
+}
+
+MeshHash mesh_hash(const Mesh *m, bool save_all)
+{
+  uint64_t *node = mesh_hash__points(m);
+  MeshHash h = mesh_hash__of(m, save_all, node, NULL);
+  free(node);
+  return h;
 }
 
 void mesh_hash_print(const uint64_t h[2], char to[MESH_HASH_TEXT])

@@ -6,6 +6,7 @@
 #include "base/base.h"
 #include "base/diag.h"
 #include "mesh/mesh.h"
+#include "mesh/mesh_diff.h"
 
 typedef enum { PICTURE_BY_GROUP, PICTURE_BY_GAMMA, PICTURE_BY_ANGLE, PICTURE_BY_ETA } PictureColor;
 
@@ -48,6 +49,9 @@ ExitCode out_write(const Mesh *m, const char *path, const char *format, const Ou
 
 // Warn, once, of surface elements (or curve elements of a mesh without surfaces) that the saving rule drops.
 void out_warn_dropped(const Mesh *m, const OutOptions *o, Diag *d);
+
+// Picture (.png, .svg, .pdf) of b, with the elements that a lacks filled and those that only a has outlined.
+ExitCode out_write_diff(const Mesh *a, const Mesh *b, const MeshDiff *d, const char *path, const OutOptions *o, Diag *diag);
 
 // Read a mesh: format as for out_write, told from the contents when the extension does not say. NULL after an error that
 // gives line or byte offset. *status (may be NULL) gets EXIT_ENVIRONMENT or EXIT_INPUT then. The caller frees with mesh_free.

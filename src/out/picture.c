@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/base.h"
 
+#include <errno.h>
 #include <math.h>
 
 #include "mesh/mesh_edges.h"
@@ -43,6 +44,8 @@ typedef struct {
   double edge_px;        // typical edge in pixels
   double width, height;  // of the page
   double left, top, w, h;// where the mesh stands
+  Vec3 u, v;             // axes of the view
+  double lo_x, hi_y, scale;
   double legend_x, y;    // where the next legend line goes
   DoubleVec pts;         // scratch
   U32Vec start;
@@ -64,20 +67,24 @@ static void choose_axes(const Mesh *m, Vec3 *u, Vec3 *v)
   *u = vec3_cross(*v, n);
 }
 
+static void to_pixel(const Picture *p, Vec3 x, double to[2])
+{
+  to[0] = p->left + (vec3_dot(x, p->u) - p->lo_x) * p->scale;
+  to[1] = p->top + (p->hi_y - vec3_dot(x, p->v)) * p->scale;
+}
+
 static void place_nodes(Picture *p)
 {
   const Mesh *m = p->mesh;
-  Vec3 u, v;
-  choose_axes(m, &u, &v);
+  choose_axes(m, &p->u, &p->v);
   double lo[2] = {INFINITY, INFINITY}, hi[2] = {-INFINITY, -INFINITY};
   p->xy = mem_alloc(2 * m->nnode * sizeof *p->xy);
   for (size_t i = 0; i < m->nnode; i++) {
     Vec3 x = mesh_xyz(m, (uint32_t)i);
-    p->xy[2 * i] = vec3_dot(x, u);
-    p->xy[2 * i + 1] = vec3_dot(x, v);
-    for (int c = 0; c < 2; c++) {
-      lo[c] = fmin(lo[c], p->xy[2 * i + c]);
-      hi[c] = fmax(hi[c], p->xy[2 * i + c]);
+    const double c[2] = {vec3_dot(x, p->u), vec3_dot(x, p->v)};
+    for (int k = 0; k < 2; k++) {
+      lo[k] = fmin(lo[k], c[k]);
+      hi[k] = fmax(hi[k], c[k]);
     }
   }
   if (!m->nnode) lo[0] = lo[1] = hi[0] = hi[1] = 0;
@@ -94,10 +101,10 @@ static void place_nodes(Picture *p)
   p->width = ceil(p->legend_x + legend + margin / 2);
   p->height = ceil(fmax(p->h, 330) + 2 * margin);
   p->top += fmax(0, (p->height - 2 * margin - p->h) / 2);
-  for (size_t i = 0; i < m->nnode; i++) {
-    p->xy[2 * i] = p->left + (p->xy[2 * i] - lo[0]) * s;
-    p->xy[2 * i + 1] = p->top + (hi[1] - p->xy[2 * i + 1]) * s;
-  }
+  p->lo_x = lo[0];
+  p->hi_y = hi[1];
+  p->scale = s;
+  for (size_t i = 0; i < m->nnode; i++) to_pixel(p, mesh_xyz(m, (uint32_t)i), p->xy + 2 * i);
 }
 
 static void measure_edges(Picture *p)
@@ -402,12 +409,12 @@ static bool legend_row(Picture *p, int dim, Color c, const char *name)
   return true;
 }
 
-static bool group_has_elements(const Mesh *m, int dim, int tag)
+// Is the group the first one of an entity with elements, so that its colour is in the picture?
+static bool group_is_drawn(const Mesh *m, int dim, int tag)
 {
   for (size_t b = 0; b < m->nblock; b++) {
     const MeshEntity *e = &m->entity[m->block[b].entity];
-    for (size_t i = 0; e->dim == dim && m->block[b].n && i < e->physical.len; i++)
-      if (abs(e->physical.data[i]) == tag) return true;
+    if (e->dim == dim && m->block[b].n && e->physical.len && abs(e->physical.data[0]) == tag) return true;
   }
   return false;
 }
@@ -421,7 +428,7 @@ static void legend_groups(Picture *p, int dim, const char *heading, const Color 
   for (size_t g = 0; g < m->ngroup; g++) {
     if (m->group[g].dim != dim) continue;
     size_t k = index++;
-    if (!group_has_elements(m, dim, m->group[g].tag)) continue;
+    if (!group_is_drawn(m, dim, m->group[g].tag)) continue;
     char name[300];
     if (m->group[g].name)
       snprintf(name, sizeof name, "%s", m->group[g].name);
@@ -535,3 +542,105 @@ static void draw(Writer *w, CanvasKind kind, const Selection *s, const OutOption
 void png__write(Writer *w, const Selection *s, const OutOptions *o) { draw(w, CANVAS_PNG, s, o); }
 void svg__write(Writer *w, const Selection *s, const OutOptions *o) { draw(w, CANVAS_SVG, s, o); }
 void pdf__write(Writer *w, const Selection *s, const OutOptions *o) { draw(w, CANVAS_PDF, s, o); }
+
+// ---- differences --------------------------------------------------------------------------------------------------------------
+static const Color diff_same = {226, 230, 236, 255}, diff_new = {250, 170, 70, 255}, diff_old = {30, 100, 200, 255};
+
+// Surface elements of p's mesh that are (or are not) changed, as polygons.
+static void push_changed(Picture *p, const uint8_t *changed, bool want)
+{
+  size_t at = 0;
+  begin_polygons(p);
+  for (size_t b = 0; b < p->mesh->nblock; b++) {
+    const MeshBlock *k = &p->mesh->block[b];
+    for (size_t i = 0; i < k->n; i++, at++)
+      if (elem_dim(k->type) == 2 && (changed[at] != 0) == want) push_element(p, k, i);
+  }
+}
+
+// Outlines of the elements that only the old mesh has.
+static void draw_old(Picture *p, const Mesh *old, const uint8_t *changed)
+{
+  size_t at = 0;
+  vec_clear(&p->pts);
+  for (size_t b = 0; b < old->nblock; b++) {
+    const MeshBlock *k = &old->block[b];
+    int corners = elem_corners(k->type);
+    for (size_t i = 0; i < k->n; i++, at++) {
+      if (elem_dim(k->type) != 2 || !changed[at]) continue;
+      const uint32_t *v = k->node + i * (size_t)elem_nodes(k->type);
+      for (int c = 0; c < corners; c++) {
+        double xy[4];
+        to_pixel(p, mesh_xyz(old, v[c]), xy);
+        to_pixel(p, mesh_xyz(old, v[(c + 1) % corners]), xy + 2);
+        for (int j = 0; j < 4; j++) vec_push(&p->pts, xy[j]);
+      }
+    }
+  }
+  canvas_segments(p->canvas, diff_old, fmax(0.4, fmin(1.4, 0.08 * p->edge_px)), p->pts.data, p->pts.len / 4);
+}
+
+static void diff_legend(Picture *p, const MeshDiff *d)
+{
+  char line[120], count[60];
+  p->y = 22;
+  legend_text(p, ink, 17, true, d->verdict == DIFF_SAME ? "the same mesh" : "differences");
+  p->y += 10;
+  legend_row(p, 2, diff_same, "in both");
+  print_count(count, sizeof count, d->nchanged[1], "element");
+  snprintf(line, sizeof line, "only in the new: %s", count);
+  legend_row(p, 2, diff_new, line);
+  print_count(count, sizeof count, d->nchanged[0], "element");
+  snprintf(line, sizeof line, "only in the old: %s", count);
+  legend_row(p, 1, diff_old, line);
+  p->y += 8;
+  if (d->moved) {
+    print_count(count, sizeof count, d->moved, "node");
+    snprintf(line, sizeof line, "%s moved, at most %.3g", count, d->largest);
+    legend_text(p, gray, 13, false, line);
+  }
+}
+
+static void draw_diff(Writer *w, CanvasKind kind, const Mesh *a, const Mesh *b, const MeshDiff *d, const OutOptions *o)
+{
+  Picture p = {.mesh = b, .o = o};
+  place_nodes(&p);
+  measure_edges(&p);
+  mesh_edges_make(&p.edges, b);
+  p.canvas = canvas_open(w, kind, p.width, p.height);
+  push_changed(&p, d->changed[1], false);
+  fill(&p, diff_same, false);
+  push_changed(&p, d->changed[1], true);
+  fill(&p, diff_new, false);
+  draw_edges(&p);
+  draw_curves(&p);
+  draw_old(&p, a, d->changed[0]);
+  if (d->largest > 0) {
+    double at[2];
+    to_pixel(&p, d->to, at);
+    canvas_circle(p.canvas, (Color){210, 0, 90, 255}, 2, at[0], at[1], fmax(7, p.edge_px));
+  }
+  diff_legend(&p, d);
+  canvas_close(p.canvas);
+  mesh_edges_free(&p.edges);
+  free(p.xy);
+  vec_free(&p.pts);
+  vec_free(&p.start);
+}
+
+ExitCode out_write_diff(const Mesh *a, const Mesh *b, const MeshDiff *d, const char *path, const OutOptions *o, Diag *diag)
+{
+  const Format *f = format_of_path(path);
+  if (!f || !(f->flags & FORMAT_ALL)) {
+    diag_error(diag, NO_LOC, "'%s': differences are painted as .png, .svg or .pdf", path);
+    return EXIT_USAGE;
+  }
+  Writer *w = writer_open(path);
+  int error = w ? 0 : errno;
+  if (w) {
+    draw_diff(w, strcmp(f->name, "png") == 0 ? CANVAS_PNG : strcmp(f->name, "svg") == 0 ? CANVAS_SVG : CANVAS_PDF, a, b, d, o);
+    error = writer_close(w);
+  }
+  if (error) diag_error(diag, NO_LOC, "%s: %s", path, strerror(error));
+  return error ? EXIT_ENVIRONMENT : EXIT_GOOD;
+}
