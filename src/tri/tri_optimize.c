@@ -5,8 +5,6 @@
 
 // A star is worth a visit if one of its triangles has 1/kappa_4^2 above this: a lattice is left alone.
 #define GOOD 1.005
-// kappa_4^2 of triangles that are mended one by one.
-#define MENDED 0.72
 
 typedef struct {
   double sum, worst; // of 1/kappa_4^2
@@ -221,20 +219,20 @@ static bool collapse_shortest(Refiner *r, TriId t)
 }
 
 // Something for triangle t: its vertices, then its edges.
-static bool mend(Refiner *r, TriId t)
+static bool mend(Refiner *r, TriId t, double mended)
 {
   Tri *m = r->m;
   bool moved = false;
   for (EdgeId e = 3 * t; e < 3 * t + 3; e++)
     if (!r->fixed[m->vert[e]]) moved |= refine__relocate_worst(r, m->vert[e]);
-  if (quality_of(m, t) > MENDED) return true;
+  if (quality_of(m, t) > mended) return true;
   for (EdgeId e = 3 * t; e < 3 * t + 3; e++)
     if (!tri_is_segment(m, e) && try_flip(r, e, true)) return true;
   return moved || collapse_shortest(r, t);
 }
 
-// The worst triangles, one by one, for the sake of the worst alone. Returns how many got better.
-static size_t mend_worst(Refiner *r)
+// The triangles of kappa_4^2 below `mended`, the worst first, each for its own sake alone. Returns how many got better.
+static size_t mend_worst(Refiner *r, double mended)
 {
   Tri *m = r->m;
   Vec(Bad) bad = {0};
@@ -243,13 +241,13 @@ static size_t mend_worst(Refiner *r)
     const uint32_t *v = m->vert + 3 * (size_t)t;
     if (r->fixed[v[0]] && r->fixed[v[1]] && r->fixed[v[2]]) continue;
     Bad b = {quality_of(m, t), t, {v[0], v[1], v[2]}};
-    if (b.quality < MENDED) vec_push(&bad, b);
+    if (b.quality < mended) vec_push(&bad, b);
   }
   if (bad.len) qsort(bad.data, bad.len, sizeof *bad.data, worse_first);
   size_t n = 0;
   for (size_t i = 0; i < bad.len; i++) {
     const Bad *b = &bad.data[i];
-    if (memcmp(m->vert + 3 * (size_t)b->t, b->v, sizeof b->v) == 0) n += mend(r, b->t);
+    if (memcmp(m->vert + 3 * (size_t)b->t, b->v, sizeof b->v) == 0) n += mend(r, b->t, mended);
   }
   vec_free(&bad);
   return n;
@@ -294,12 +292,16 @@ void refine__prepare(Refiner *r, VertId given)
 void refine__optimize(Refiner *r, int level)
 {
   if (level <= 0) return;
-  int rounds = level == 1 ? 2 : 8;
+  // Valence repair costs as much as the insertion where half of the vertices are irregular, next to nothing behind a front.
+  bool valences = level > 1 || r->p->algorithm == REFINE_FRONTAL;
+  int rounds = level > 1 ? 8 : valences ? 2 : 0;
+  if (rounds == 0) refine__flips(r);
   for (int k = 0; k < rounds; k++) {
     size_t flips = refine__flips(r) + repair_valences(r);
     size_t moves = r->stats->moves;
     refine__smooth(r, 1);
     if (flips == 0 && r->stats->moves == moves) break;
   }
-  for (int k = 0; k < 2 * rounds && mend_worst(r); k++) continue;
+  double mended = valences ? 0.8 : 0.66;
+  for (int k = 0; k < 2 * level && mend_worst(r, mended); k++) continue;
 }

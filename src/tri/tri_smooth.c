@@ -19,10 +19,11 @@ typedef struct {
   double base[MAX_RING];    // length of the side from neighbour j to j+1
 } Star;
 
-// What a position is worth, the less the better: the sum of 1/kappa_4^2 over the star and of l + 1/l - 2 over its edges; and
-// the largest 1/kappa_4^2. Infinite if a triangle is not positive.
+// What a position is worth, the less the better: the sum of 1/kappa_4^2 over the star and of l + 1/l - 2 over its edges; the
+// largest 1/kappa_4^2; by what factor the edge worst in that is out of [2/3, 4/3], 1 if none is. Infinite if a triangle is not
+// positive.
 typedef struct {
-  double sum, worst;
+  double sum, worst, range;
 } Worth;
 
 static bool gather(const Refiner *r, VertId v, Star *s)
@@ -50,7 +51,8 @@ static bool gather(const Refiner *r, VertId v, Star *s)
 
 static Worth worth(const Star *s, double px, double py, double h, double *each)
 {
-  Worth w = {0, 0};
+  Worth w = {0, 0, 1};
+  double shortest = METRIC_SHORT, longest = METRIC_LONG;
   double inv = 0.5 / h, ux = s->x[0] - px, uy = s->y[0] - py, lu = sqrt(ux * ux + uy * uy);
   for (int j = 0; j < s->n; j++) {
     double vx = s->x[j + 1] - px, vy = s->y[j + 1] - py, lv = sqrt(vx * vx + vy * vy);
@@ -60,8 +62,12 @@ static Worth worth(const Star *s, double px, double py, double h, double *each)
     double len = lu * (inv + s->inv[j]);
     w.sum += f + LENGTH_WEIGHT * (len + 1 / len - 2);
     w.worst = f > w.worst ? f : w.worst;
+    shortest = len < shortest ? len : shortest;
+    longest = len > longest ? len : longest;
     ux = vx, uy = vy, lu = lv;
   }
+  if (shortest < METRIC_SHORT || longest > METRIC_LONG)
+    w.range = MAX(longest / METRIC_LONG, METRIC_SHORT / shortest);
   return w;
 }
 
@@ -78,25 +84,6 @@ static void ideal(const Star *s, double h, const double *each, double *p)
     sw += w;
   }
   p[0] = sx / sw, p[1] = sy / sw;
-}
-
-// By how much a length is out of [2/3, 4/3], as a factor; 1 inside.
-static double out_of_range(double l)
-{
-  return l < METRIC_SHORT ? METRIC_SHORT / l : l > METRIC_LONG ? l / METRIC_LONG : 1;
-}
-
-// Would v at p with size h keep its edges in [2/3, 4/3], or at least the worst no further from it than now?
-static bool lengths_kept(const Refiner *r, const Star *s, VertId v, const double *p, double h)
-{
-  const double *old = tri_xy(r->m, v);
-  double h0 = r->size[v], now = 1, then = 1;
-  for (int j = 0; j < s->n; j++) {
-    double q[2] = {s->x[j], s->y[j]}, hq = r->size[s->id[j]];
-    double a = out_of_range(metric_length(old, q, h0, hq)), b = out_of_range(metric_length(p, q, h, hq));
-    now = MAX(now, a), then = MAX(then, b);
-  }
-  return then <= now;
 }
 
 // What v brings along when it moves to p. The size carried from the boundary stays: moves are short.
@@ -133,7 +120,7 @@ bool refine__relocate(Refiner *r, VertId v)
     double h = size_moved(r, v, p);
     Worth n = worth(&s, p[0], p[1], h, NULL);
     // worst < 1e8 leaves the sign of every area beyond doubt in floating point.
-    if (n.sum < w.sum && n.worst <= limit && n.worst < 1e8 && lengths_kept(r, &s, v, p, h)) {
+    if (n.sum < w.sum && n.worst <= limit && n.worst < 1e8 && n.range <= w.range) {
       move(r, &s, v, p, h);
       return true;
     }
@@ -148,7 +135,8 @@ bool refine__relocate_worst(Refiner *r, VertId v)
   Star s;
   double p[2] = {r->m->xy[2 * (size_t)v], r->m->xy[2 * (size_t)v + 1]}, step = 0.2 * r->size[v];
   if (!gather(r, v, &s)) return false;
-  double best = worth(&s, p[0], p[1], r->size[v], NULL).worst;
+  Worth first = worth(&s, p[0], p[1], r->size[v], NULL);
+  double best = first.worst;
   bool moved = false;
   for (int k = 0; k < 20 && step > 0.01 * r->size[v]; k++) {
     int least = -1;
@@ -165,7 +153,7 @@ bool refine__relocate_worst(Refiner *r, VertId v)
   }
   if (!moved) return false;
   double h = size_moved(r, v, p);
-  if (!lengths_kept(r, &s, v, p, h)) return false;
+  if (worth(&s, p[0], p[1], h, NULL).range > first.range) return false;
   move(r, &s, v, p, h);
   return true;
 }
