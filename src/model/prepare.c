@@ -16,13 +16,24 @@ void model__restore_points(Model *m)
 
 // ---- loops --------------------------------------------------------------------------------------------------------------
 
-static bool report_unknown_curve(const Model *m, Loop *l, Diag *diag)
+// A loop that was sorted once and has lost a curve since is sorted no more.
+static void unsort(Model *m, Loop *l)
+{
+  for (int i = 0; l->sorted && i < l->ncurve; i++) {
+    Curve *c = model_curve(m, l->curve[i]);
+    if (c) c->in_loops--;
+  }
+  l->sorted = false;
+}
+
+static bool report_unknown_curve(Model *m, Loop *l, Diag *diag)
 {
   for (int i = 0; i < l->ncurve; i++) {
     if (model_curve(m, l->curve[i])) continue;
     if (!l->reported && !model__refused(m, KIND_CURVE, l->curve[i]))
       diag_error(diag, l->loc, "curve loop %d uses curve %d, which does not exist", l->tag, tag__abs(l->curve[i]));
     l->reported = true;
+    unsort(m, l);
     return true;
   }
   return false;
