@@ -5,6 +5,7 @@
 #include "base/mem.h"
 
 #include <stdalign.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 
 #include "base/file.h"
@@ -34,6 +35,18 @@ void *mem_realloc(void *p, size_t n)
 {
   p = realloc(p, n ? n : 1);
   if (!p) out_of_memory(n);
+  return p;
+}
+
+void *mem_alloc_large(size_t n)
+{
+  const size_t page = (size_t)2 << 20;
+  if (n < 4 * page) return mem_alloc(n);
+  void *p = aligned_alloc(page, (n + page - 1) / page * page);
+  if (!p) out_of_memory(n);
+#ifdef MADV_HUGEPAGE
+  madvise(p, n, MADV_HUGEPAGE); // only advice: without it all is as well, but slower
+#endif
   return p;
 }
 

@@ -15,6 +15,8 @@ void *mem_alloc(size_t n);
 void *mem_zalloc(size_t n);
 void *mem_realloc(void *p, size_t n);
 char *mem_strdup(const char *s);
+// As mem_alloc, for arrays of many megabytes that are visited all over: asks the system for large pages where it has them.
+void *mem_alloc_large(size_t n);
 
 // Make room for `want` elements of `size` bytes in the array *data of capacity *cap (doubling; capacity 1 first
 // in the stress build so that arrays move on every growth). Aborts as mem_alloc does. Amortized O(1).

@@ -213,7 +213,7 @@ static void order_items(const double *xy, uint64_t *a, uint64_t *b, size_t n, in
 
 void hilbert_sort(const double *xy, size_t n, uint32_t *order, uint32_t *key, int threads)
 {
-  uint64_t *a = mem_alloc(n * sizeof *a), *b = mem_alloc(n * sizeof *b);
+  uint64_t *a = mem_alloc_large(n * sizeof *a), *b = mem_alloc_large(n * sizeof *b);
   for (size_t i = 0; i < n; i++) a[i] = i;
   order_items(xy, a, b, n, n > CHUNK ? threads : 1);
   for (size_t i = 0; i < n; i++) {

@@ -34,7 +34,7 @@ static void resize(void *data, size_t old, size_t n, size_t size)
   free(p);
 #else
   (void)old;
-  void *q = mem_realloc(p, n * size);
+  void *q = p ? mem_realloc(p, n * size) : mem_alloc_large(n * size);
 #endif
   memcpy(data, &q, sizeof q);
 }

@@ -255,14 +255,14 @@ typedef struct {
 size_t tri_check(const Tri *m, unsigned rules, TriCheck *out);
 
 // The Voronoi diagram, dual of the triangulation [book §2.1]: one centre for each finite triangle, one cell for each
-// vertex. cell i is corners[start[v] .. start[v+1]) counterclockwise, as indices of centres; cells of hull vertices are
-// open (open[v]): a ray leaves the first centre along ray_in[v] and the last along ray_out[v], as
-// directions. Cocircular points give coinciding centres.
+// vertex. Cell v is corners[start[v] .. start[v+1]) counterclockwise, as indices of centres. The cells of hull vertices are
+// open: a ray leaves the first centre along ray[4v], ray[4v+1] and another the last along ray[4v+2], ray[4v+3] (not of
+// unit length). Cocircular points give coinciding centres. Points on one line: no centres, rays only.
 typedef struct {
   double *centre;            // 2 * ncentres
   uint32_t *start, *corners; // nv + 1; sum
   uint8_t *open;             // nv
-  double *ray;               // 4 * nv: directions of the first and the last side of an open cell
+  double *ray;               // 4 * nv: directions at the first and at the last corner of an open cell; else 0
   size_t ncentres;
 } TriVoronoi;
 void tri_voronoi(const Tri *m, TriVoronoi *out);

@@ -90,7 +90,7 @@ typedef struct {
   BulkCell cell, half[2];
   int child[2]; // -1: none
   int depth;
-  EdgeId hull;
+  BulkHull hull;
 } Node;
 
 typedef struct {
@@ -103,7 +103,7 @@ static int add_node(Tree *t, const BulkCell *cell, int depth, size_t task)
 {
   int k = t->n++;
   Node *d = &t->node[k];
-  *d = (Node){.cell = *cell, .child = {-1, -1}, .depth = depth, .hull = NONE};
+  *d = (Node){.cell = *cell, .child = {-1, -1}, .depth = depth};
   if (cell->hi - cell->lo <= task || depth == MAX_DEPTH || cell->bit < 0 || t->n + 2 * (MAX_DEPTH - depth) + 2 > MAX_NODES)
     return k;
   bulk_split(t->worker, cell, d->half);
@@ -127,7 +127,7 @@ static void merge_node(void *ctx, size_t i, int worker)
   Tree *t = ctx;
   Node *d = &t->node[t->todo[i]];
   const Node *p = d->child[0] < 0 ? NULL : &t->node[d->child[0]], *q = d->child[1] < 0 ? NULL : &t->node[d->child[1]];
-  d->hull = p && q ? bulk_merge(&t->worker[worker], &d->cell, d->half, p->hull, q->hull) : p ? p->hull : q->hull;
+  d->hull = p && q ? bulk_merge(&t->worker[worker], &d->cell, d->half, &p->hull, &q->hull) : p ? p->hull : q->hull;
 }
 
 static bool is_task(const Node *d) { return d->child[0] < 0 && d->child[1] < 0; }
@@ -200,7 +200,7 @@ TriBuildResult tri_build(Tri *m, double *xy, size_t n, TriBuild *how)
   tri_init(m);
   uint32_t *order = mem_alloc(n * sizeof *order), *key = mem_alloc(n * sizeof *key);
   hilbert_sort(xy, n, order, key, how->threads);
-  double *sorted = mem_alloc(2 * n * sizeof *sorted);
+  double *sorted = mem_alloc_large(2 * n * sizeof *sorted);
   Gather g = {xy, order, sorted, n};
   thread_for((n + GATHER_CHUNK - 1) / GATHER_CHUNK, how->threads, gather_chunk, &g);
   if (how->reorder && how->take) free(xy);

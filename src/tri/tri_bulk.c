@@ -61,12 +61,15 @@ static EdgeId build_chain(Bulk *m, VertId lo, VertId hi)
 
 // ---- incremental insertion ----------------------------------------------------------------------------------------
 
-// A side a -> b of the growing cavity that has not been looked across yet: the half-edge g beyond it, and its ends
-// relative to the new point with their squared distances from it.
+// A side a -> b of the growing cavity: the half-edge g beyond it, its ends and the apex d beyond, relative to the new point,
+// with their squared distances from it; and whether the point is in the circle beyond. That is found when the side
+// appears, before it is its turn, so that the tests of the two sides of one triangle run side by side.
+typedef enum { BEYOND_OUT, BEYOND_IN, BEYOND_UNSURE, BEYOND_GHOST } Beyond;
 typedef struct {
   EdgeId g;
-  VertId a, b;
-  double ax, ay, al, bx, by, bl;
+  VertId a, b, d;
+  double ax, ay, al, bx, by, bl, dx, dy, dl;
+  Beyond beyond;
 } Side;
 
 struct BulkScratch {
@@ -118,14 +121,43 @@ static inline Corner corner(const Bulk *m, VertId v, const double *p)
 
 static inline double lift(const Corner *c) { return c->x * c->x + c->y * c->y; }
 
+// Look beyond side s, whose d, dx, dy and dl are not set yet.
+static inline void look(const Bulk *m, Side *s, const double *p)
+{
+  s->d = m->vert[prev3(s->g)];
+  if (UNLIKELY((s->a | s->b | s->d) > TRI_MAX_VERTICES)) {
+    s->dx = s->dy = s->dl = 0;
+    if (s->d != TRI_INF) {
+      Corner c = corner(m, s->d, p);
+      s->dx = c.x, s->dy = c.y, s->dl = lift(&c);
+    }
+    s->beyond = BEYOND_GHOST;
+    return;
+  }
+  const double *q = at(m, s->d);
+  double dx = q[0] - p[0], dy = q[1] - p[1], dl = dx * dx + dy * dy;
+  double det = s->bl * (s->ax * dy - s->ay * dx) + s->al * (dx * s->by - dy * s->bx) + dl * (s->bx * s->ay - s->by * s->ax);
+  double sum = s->al + s->bl + dl, bound = INCIRCLE_BOUND * (sum * sum) + (INCIRCLE_TINY * sum + INCIRCLE_TINY);
+  int in = det > bound, out = -det > bound;
+  s->dx = dx, s->dy = dy, s->dl = dl;
+  s->beyond = (Beyond)(in | (((in | out) ^ 1) << 1));
+}
+
+static inline bool is_in(Bulk *m, const Side *s, const double *p)
+{
+  if (LIKELY(s->beyond <= BEYOND_IN)) return s->beyond == BEYOND_IN;
+  return s->beyond == BEYOND_UNSURE ? slow_conflict(m, s->b, s->a, s->d, p) : any_ghost_conflict(m, s->b, s->a, s->d, p);
+}
+
 // Start the cavity from its first triangle (e: a -> b, then b -> c, c -> a).
-static inline void open_first(Bulk *m, EdgeId e, const Corner *a, const Corner *b, const Corner *c)
+static inline void open_first(Bulk *m, EdgeId e, const Corner *a, const Corner *b, const Corner *c, const double *p)
 {
   Side *s = m->scratch->sides.data;
   double al = lift(a), bl = lift(b), cl = lift(c);
-  s[0] = (Side){m->twin[prev3(e)], c->v, a->v, c->x, c->y, cl, a->x, a->y, al};
-  s[1] = (Side){m->twin[next3(e)], b->v, c->v, b->x, b->y, bl, c->x, c->y, cl};
-  s[2] = (Side){m->twin[e], a->v, b->v, a->x, a->y, al, b->x, b->y, bl};
+  s[0] = (Side){.g = m->twin[prev3(e)], .a = c->v, .b = a->v, .ax = c->x, .ay = c->y, .al = cl, .bx = a->x, .by = a->y, .bl = al};
+  s[1] = (Side){.g = m->twin[next3(e)], .a = b->v, .b = c->v, .ax = b->x, .ay = b->y, .al = bl, .bx = c->x, .by = c->y, .bl = cl};
+  s[2] = (Side){.g = m->twin[e], .a = a->v, .b = b->v, .ax = a->x, .ay = a->y, .al = al, .bx = b->x, .by = b->y, .bl = bl};
+  for (int i = 0; i < 3; i++) look(m, &s[i], p);
 }
 
 // Walk from the finite triangle of half-edge e to the one of p and open it; returns the triangle.
@@ -152,12 +184,12 @@ static TriId walk(Bulk *m, const double *p, EdgeId e)
     VertId d = m->vert[prev3(e)];
     m->steps++;
     if (d == TRI_INF) {
-      open_first(m, e, &a, &b, &nowhere);
+      open_first(m, e, &a, &b, &nowhere, p);
       return e / 3;
     }
     c = corner(m, d, p);
   }
-  open_first(m, e, &a, &b, &c);
+  open_first(m, e, &a, &b, &c, p);
   return e / 3;
 }
 
@@ -179,21 +211,8 @@ static EdgeId insert(Bulk *m, VertId v, EdgeId e, TriId fresh)
   EdgeId first = NONE, last = NONE, finite = NONE;
   Side s = w->sides.data[--ns];
   for (;;) {
-    EdgeId g = s.g, gp = prev3(g);
-    VertId d = vert[gp];
-    bool in;
-    double dx = 0, dy = 0, dl = 0;
-    if (LIKELY((s.a | s.b | d) <= TRI_MAX_VERTICES)) {
-      const double *q = at(m, d);
-      dx = q[0] - p[0];
-      dy = q[1] - p[1];
-      dl = dx * dx + dy * dy;
-      double det = s.bl * (s.ax * dy - s.ay * dx) + s.al * (dx * s.by - dy * s.bx) + dl * (s.bx * s.ay - s.by * s.ax);
-      double sum = s.al + s.bl + dl, bound = INCIRCLE_BOUND * (sum * sum) + (INCIRCLE_TINY * sum + INCIRCLE_TINY);
-      in = det > bound;
-      if (UNLIKELY(!in && !(-det > bound))) in = slow_conflict(m, s.b, s.a, d, p);
-    } else in = any_ghost_conflict(m, s.b, s.a, d, p);
-    if (in) {
+    EdgeId g = s.g;
+    if (is_in(m, &s, p)) {
       m->cavity++;
       if (UNLIKELY(ns + 2 > w->sides.cap)) vec_reserve(&w->sides, ns + 2);
       if (UNLIKELY(nf + 2 > w->slots.cap)) {
@@ -201,19 +220,14 @@ static EdgeId insert(Bulk *m, VertId v, EdgeId e, TriId fresh)
         vec_reserve(&w->slots, nf + 2);
         slots = w->slots.data;
       }
-      if (d != TRI_INF && (s.a > TRI_MAX_VERTICES || s.b > TRI_MAX_VERTICES)) {
-        const double *q = at(m, d);
-        dx = q[0] - p[0];
-        dy = q[1] - p[1];
-        dl = dx * dx + dy * dy;
-      }
-      w->sides.data[ns++] = (Side){twin[gp], d, s.b, dx, dy, dl, s.bx, s.by, s.bl};
+      Side *later = &w->sides.data[ns++]; // d -> b; now a -> d
+      later->g = twin[prev3(g)], later->a = s.d, later->b = s.b;
+      later->ax = s.dx, later->ay = s.dy, later->al = s.dl, later->bx = s.bx, later->by = s.by, later->bl = s.bl;
+      s.g = twin[next3(g)], s.b = s.d;
+      s.bx = s.dx, s.by = s.dy, s.bl = s.dl;
+      look(m, &s, p);
+      look(m, later, p);
       slots[nf++] = g / 3;
-      s.g = twin[next3(g)];
-      s.b = d;
-      s.bx = dx;
-      s.by = dy;
-      s.bl = dl;
       continue;
     }
     TriId k = slots[--nf];
@@ -255,20 +269,32 @@ static void build_first(Bulk *m, TriId t, VertId a, VertId b, VertId c)
   }
 }
 
-// Any hull half-edge (of a ghost, the outside on its left), found from a vertex of the hull or, failing that, by looking.
-static EdgeId some_hull_edge(const Bulk *m, VertId lo, VertId hi)
+static EdgeId hull_next(const Bulk *m, EdgeId h) { return next3(m->twin[next3(h)]); }
+static EdgeId hull_prev(const Bulk *m, EdgeId h) { return prev3(m->twin[prev3(h)]); }
+
+// Is p more extreme than q in the sense of BulkHull?
+static bool beats(const double *p, const double *q, int which)
 {
-  for (EdgeId e = 3 * (2 * lo); e < 3 * (2 * hi - 2); e++)
-    if (m->vert[e] == TRI_INF) return next3(e);
-  UNREACHABLE();
+  int axis = which >> 1;
+  if (p[axis] != q[axis]) return (p[axis] > q[axis]) == (which & 1);
+  return axis == 0 ? p[1] < q[1] : p[0] > q[0];
 }
 
-static EdgeId build_incremental(Bulk *m, VertId lo, VertId hi)
+static BulkHull extremes(const Bulk *m, EdgeId h)
 {
-  if (hi - lo < 2) return NONE;
+  BulkHull x = {{h, h, h, h}};
+  for (EdgeId f = hull_next(m, h); f != h; f = hull_next(m, f))
+    for (int i = 0; i < 4; i++)
+      if (beats(at(m, m->vert[f]), at(m, m->vert[x.e[i]]), i)) x.e[i] = f;
+  return x;
+}
+
+static BulkHull build_incremental(Bulk *m, VertId lo, VertId hi)
+{
+  if (hi - lo < 2) return (BulkHull){{NONE, NONE, NONE, NONE}};
   VertId k = lo + 2;
   while (k < hi && orient2d_count(at(m, lo), at(m, lo + 1), at(m, k), &m->count) == 0) k++;
-  if (k == hi) return build_chain(m, lo, hi);
+  if (k == hi) return extremes(m, build_chain(m, lo, hi));
   build_first(m, 2 * lo, lo, lo + 1, k);
   EdgeId e = 6 * lo;
   TriId fresh = 2 * lo + 4;
@@ -277,30 +303,13 @@ static EdgeId build_incremental(Bulk *m, VertId lo, VertId hi)
     e = insert(m, v, e, fresh);
     fresh += 2;
   }
-  return some_hull_edge(m, lo, hi);
+  // Some vertex's ghost: look from the end, where new slots went.
+  EdgeId g = 3 * (2 * hi - 2) - 1;
+  while (m->vert[g] != TRI_INF) g--;
+  return extremes(m, next3(g));
 }
 
 // ---- merging [Guibas85] ---------------------------------------------------------------------------------------------
-
-static EdgeId hull_next(const Bulk *m, EdgeId h) { return next3(m->twin[next3(h)]); }
-static EdgeId hull_prev(const Bulk *m, EdgeId h) { return prev3(m->twin[prev3(h)]); }
-
-// The vertices u of the hull of h are compared by `axis` (0: x, 1: y) times sign, and on a tie by the other axis, so that
-// the extreme one is a corner of the hull. Returns the half-edge that leaves it.
-static EdgeId hull_extreme(const Bulk *m, EdgeId h, int axis, int sign)
-{
-  EdgeId best = h;
-  const double *b = at(m, m->vert[h]);
-  int other = axis == 0 ? 1 : -1; // lowest for left and right parts; turned by a quarter for lower and upper ones
-  for (EdgeId f = hull_next(m, h); f != h; f = hull_next(m, f)) {
-    const double *q = at(m, m->vert[f]);
-    if (sign * (q[axis] - b[axis]) > 0 || (q[axis] == b[axis] && other * (q[1 - axis] - b[1 - axis]) < 0)) {
-      best = f;
-      b = q;
-    }
-  }
-  return best;
-}
 
 static inline int turn(Bulk *m, VertId a, VertId b, VertId c)
 {
@@ -339,19 +348,19 @@ static void peel(Bulk *m, EdgeId h, bool keep_dest)
 }
 
 // Merge the parts [lo, mid) and [mid, hi), one of which (`first_low`: the first) lies strictly below the other along the axis.
-// p and q are hull half-edges of them, NONE for single vertices. Returns a hull half-edge of the union.
-static EdgeId merge(Bulk *m, VertId lo, VertId mid, EdgeId p, EdgeId q, int axis, bool first_low)
+// Returns the hull of the union.
+static BulkHull merge(Bulk *m, VertId lo, VertId mid, const BulkHull *p, const BulkHull *q, int axis, bool first_low)
 {
   // Seen with the axis to the right: L is left, R right. With axis y that is a turn by a quarter.
-  EdgeId hl = first_low ? p : q, hr = first_low ? q : p; // hl: hull edge into l on the gap's side; hr: the one out of r
+  const BulkHull *hull_l = first_low ? p : q, *hull_r = first_low ? q : p;
+  EdgeId hl = hull_l->e[2 * axis + 1], hr = hull_r->e[2 * axis]; // hl: hull edge into l on the gap's side; hr: out of r
   VertId l, r;
   EdgeId below_l = NONE, below_r = NONE; // hull edge out of l, and into r, on the lower side
   if (hl != NONE) {
-    below_l = hull_extreme(m, hl, axis, 1);
+    below_l = hl;
     l = m->vert[below_l];
   } else l = first_low ? lo : mid;
   if (hr != NONE) {
-    hr = hull_extreme(m, hr, axis, -1);
     r = m->vert[hr];
   } else r = first_low ? mid : lo;
   // The lower common tangent: nothing right of l -> r.
@@ -372,6 +381,13 @@ static EdgeId merge(Bulk *m, VertId lo, VertId mid, EdgeId p, EdgeId q, int axis
   }
   if (hr != NONE) below_r = hull_prev(m, hr);
   if (below_l != NONE) hl = hull_prev(m, below_l);
+  VertId vertex_l[4], vertex_r[4]; // the extreme ones, before half-edges change their origins
+  for (int i = 0; i < 4; i++) {
+    vertex_l[i] = hl == NONE ? l : m->vert[hull_l->e[i]];
+    vertex_r[i] = hr == NONE ? r : m->vert[hull_r->e[i]];
+  }
+  const VertId low_r = r;
+  bool new_l = hl == NONE, new_r = hr == NONE; // the hull edge that leaves the upper l, the lower r, is a new one
   TriId bottom = 2 * mid - 2, top = bottom + 1;
   set3(m, bottom, r, l, TRI_INF);
   if (below_l != NONE) link(m, 3 * bottom + 1, prev3(below_l)); // l -> inf, inf -> l
@@ -401,6 +417,7 @@ static EdgeId merge(Bulk *m, VertId lo, VertId mid, EdgeId p, EdgeId q, int axis
       base = next3(h);         // w -> l
       r = w;
       hr = above;
+      new_r = true;
     } else { // ghost z -> l becomes (z, l, r)
       EdgeId h = hl, above = hull_prev(m, hl);
       VertId z = m->vert[h];
@@ -409,6 +426,7 @@ static EdgeId merge(Bulk *m, VertId lo, VertId mid, EdgeId p, EdgeId q, int axis
       base = prev3(h);         // r -> z
       l = z;
       hl = above;
+      new_l = true;
     }
   }
   set3(m, top, l, r, TRI_INF);
@@ -417,7 +435,15 @@ static EdgeId merge(Bulk *m, VertId lo, VertId mid, EdgeId p, EdgeId q, int axis
   else link(m, 3 * top + 2, 3 * bottom + 1);
   if (hr != NONE) link(m, 3 * top + 1, prev3(hr)); // r -> inf, inf -> r
   else link(m, 3 * top + 1, 3 * bottom + 2);
-  return 3 * top;
+  // The extreme vertices of the union. The hull edge that leaves one is new only at two tangent points.
+  BulkHull x;
+  for (int i = 0; i < 4; i++) {
+    EdgeId el = hull_l->e[i], er = hull_r->e[i];
+    VertId vl = vertex_l[i], vr = vertex_r[i];
+    if (beats(at(m, vl), at(m, vr), i)) x.e[i] = vl == l && new_l ? 3 * top : el;
+    else x.e[i] = vr == low_r && new_r ? 3 * bottom : er;
+  }
+  return x;
 }
 
 // ---- the whole ------------------------------------------------------------------------------------------------------
@@ -447,15 +473,15 @@ static VertId key_split(const uint32_t *key, VertId lo, VertId hi, int bit)
   return lo;
 }
 
-EdgeId bulk_build(Bulk *m, const BulkCell *cell)
+BulkHull bulk_build(Bulk *m, const BulkCell *cell)
 {
   if (cell->hi - cell->lo <= m->leaf || cell->bit < 0) return build_incremental(m, cell->lo, cell->hi);
   BulkCell half[2];
   bulk_split(m, cell, half);
   if (half[0].hi == half[0].lo) return bulk_build(m, &half[1]);
   if (half[1].hi == half[1].lo) return bulk_build(m, &half[0]);
-  EdgeId p = bulk_build(m, &half[0]), q = bulk_build(m, &half[1]);
-  return bulk_merge(m, cell, half, p, q);
+  BulkHull p = bulk_build(m, &half[0]), q = bulk_build(m, &half[1]);
+  return bulk_merge(m, cell, half, &p, &q);
 }
 
 // The first bit of a quadrant's number says on which side the quadrant is along one axis, the second along the other
@@ -479,7 +505,7 @@ void bulk_split(const Bulk *m, const BulkCell *cell, BulkCell half[2])
   }
 }
 
-EdgeId bulk_merge(Bulk *m, const BulkCell *cell, const BulkCell half[2], EdgeId p, EdgeId q)
+BulkHull bulk_merge(Bulk *m, const BulkCell *cell, const BulkCell half[2], const BulkHull *p, const BulkHull *q)
 {
   uint8_t s = cell->u ^ cell->c; // axes swapped
   bool first_bit = cell->bit & 1;

@@ -29,10 +29,16 @@ typedef struct {
   uint8_t u, c, x; // state of the curve, and the first bit of a quadrant that has been halved
 } BulkCell;
 
-// The Delaunay triangulation of a cell, in the slots [2 lo, 2 hi - 2). Returns a hull half-edge, NONE for one vertex.
-EdgeId bulk_build(Bulk *m, const BulkCell *cell);
+// The hull edges (of ghosts, the outside on their left) that leave the leftmost, rightmost, lowest and highest vertex; of
+// equally far ones the lowest and, for the last two, the rightmost, so that it is a corner. All NONE for one vertex.
+typedef struct {
+  EdgeId e[4];
+} BulkHull;
+
+// The Delaunay triangulation of a cell, in the slots [2 lo, 2 hi - 2).
+BulkHull bulk_build(Bulk *m, const BulkCell *cell);
 void bulk_split(const Bulk *m, const BulkCell *cell, BulkCell half[2]);
 // Join the two halves of a cell, neither empty.
-EdgeId bulk_merge(Bulk *m, const BulkCell *cell, const BulkCell half[2], EdgeId p, EdgeId q);
+BulkHull bulk_merge(Bulk *m, const BulkCell *cell, const BulkCell half[2], const BulkHull *p, const BulkHull *q);
 
 #endif

@@ -159,6 +159,30 @@ static void one_by_one_is_the_same(void **state)
   }
 }
 
+// Insertion alone and merged parts give the same triangles; any number of threads the same arrays.
+static void builders_agree(void **state)
+{
+  (void)state;
+  for (int set = 0; set < SETS; set++) {
+    Points p = points_make(set, set == 8 ? 500 : 20000, 53);
+    Tri a, b, c;
+    build(&a, &p, true);
+    TriBuild threads = {.reorder = true, .threads = 3}, alone = {.reorder = true, .incremental = true};
+    tri_build(&b, p.xy, p.n, &threads);
+    tri_build(&c, p.xy, p.n, &alone);
+    assert_int_equal(a.nt, b.nt);
+    assert_memory_equal(a.vert, b.vert, 3 * (size_t)a.nt * sizeof *a.vert);
+    assert_memory_equal(a.twin, b.twin, 3 * (size_t)a.nt * sizeof *a.twin);
+    assert_valid(&a, rules_for(set));
+    assert_int_equal(a.nt, c.nt);
+    if (set != 5) assert_same_triangles(&c, &a); // there one vertex has them all
+    tri_free(&a);
+    tri_free(&b);
+    tri_free(&c);
+    free(p.xy);
+  }
+}
+
 static void location_is_exact(void **state)
 {
   (void)state;
@@ -414,6 +438,46 @@ static void local_changes(void **state)
   free(p.xy);
 }
 
+// Cells are convex, their corners are as far from their own vertex as from no nearer other one; open cells are the hull's.
+static void voronoi_cells(void **state)
+{
+  (void)state;
+  Points p = points_make(0, 200, 19);
+  Tri m;
+  build(&m, &p, true);
+  TriVoronoi d;
+  tri_voronoi(&m, &d);
+  assert_int_equal(d.start[m.nv], 3 * d.ncentres);
+  for (VertId v = 0; v < m.nv; v++) {
+    uint32_t n = d.start[v + 1] - d.start[v];
+    assert_true(n >= 1);
+    for (uint32_t i = 0; i < n; i++) {
+      const double *c = d.centre + 2 * d.corners[d.start[v] + i], *q = tri_xy(&m, v);
+      double own = hypot(c[0] - q[0], c[1] - q[1]);
+      for (VertId u = 0; u < m.nv; u++)
+        assert_true(hypot(c[0] - m.xy[2 * u], c[1] - m.xy[2 * u + 1]) > own * (1 - 1e-9));
+      if (i + 2 < n) {
+        const double *e = d.centre + 2 * d.corners[d.start[v] + i + 1], *f = d.centre + 2 * d.corners[d.start[v] + i + 2];
+        double turn = (e[0] - c[0]) * (f[1] - e[1]) - (e[1] - c[1]) * (f[0] - e[0]);
+        assert_true(turn > -1e-9 * own * own);
+      }
+    }
+    if (d.open[v]) { // far along both rays, v and the neighbour on the hull are nearest
+      for (int k = 0; k < 2; k++) {
+        const double *c = d.centre + 2 * d.corners[k == 0 ? d.start[v] : d.start[v + 1] - 1], *r = d.ray + 4 * v + 2 * k;
+        double len = hypot(r[0], r[1]), x = c[0] + 10 * r[0] / len, y = c[1] + 10 * r[1] / len;
+        double own = hypot(x - m.xy[2 * v], y - m.xy[2 * v + 1]), nearest = INFINITY;
+        for (VertId u = 0; u < m.nv; u++)
+          if (u != v) nearest = fmin(nearest, hypot(x - m.xy[2 * u], y - m.xy[2 * u + 1]));
+        assert_true(fabs(nearest - own) < 1e-9 * own);
+      }
+    }
+  }
+  tri_voronoi_free(&d);
+  tri_free(&m);
+  free(p.xy);
+}
+
 static void bad_input(void **state)
 {
   (void)state;
@@ -445,6 +509,7 @@ int main(void)
     cmocka_unit_test(every_set_is_delaunay),
     cmocka_unit_test(shuffles_change_nothing),
     cmocka_unit_test(one_by_one_is_the_same),
+    cmocka_unit_test(builders_agree),
     cmocka_unit_test(location_is_exact),
     cmocka_unit_test(removal_undoes_insertion),
     cmocka_unit_test(segments_are_recovered),
@@ -452,6 +517,7 @@ int main(void)
     cmocka_unit_test(carving),
     cmocka_unit_test(splitting_segments),
     cmocka_unit_test(local_changes),
+    cmocka_unit_test(voronoi_cells),
     cmocka_unit_test(bad_input),
   };
   return unit_run(tests);
