@@ -53,12 +53,41 @@ static void raise_least_counts(Mesher1d *d)
   }
 }
 
+static uint32_t master_of(const Mesher1d *d, size_t k)
+{
+  const Curve *c = d->work[k].c;
+  return mesh1d_index(d->g, c->copy_of ? c->copy_of : c->periodic_master);
+}
+
+// An extrusion that closes on itself makes its first curve a copy of the last: of such a ring the first curve is meshed on its own.
+static void open_rings(Mesher1d *d)
+{
+  uint32_t *seen = mem_zalloc((d->g->ncurve + 1) * sizeof *seen); // k + 1 of the walk that was here
+  for (uint32_t k = 0; k < d->g->ncurve; k++) {
+    uint32_t at = k;
+    while (at != NONE && d->work[at].rule == RULE_COPY && !seen[at]) {
+      seen[at] = k + 1;
+      at = master_of(d, at);
+    }
+    // Back on this walk's own trail: a ring, entered at its member of the lowest index met.
+    if (at == NONE || d->work[at].rule != RULE_COPY || seen[at] != k + 1) continue;
+    uint32_t least = at;
+    for (uint32_t i = master_of(d, at); i != at; i = master_of(d, i)) least = MIN(least, i);
+    d->work[least].rule = d->work[least].c->transfinite > 0 ? RULE_LAW : RULE_SIZE;
+  }
+  free(seen);
+}
+
 static void choose_rules(Mesher1d *d)
 {
   for (size_t k = 0; k < d->g->ncurve; k++) {
     CurveWork *w = &d->work[k];
     w->c = model_curve_at(d->m, k);
     w->rule = rule_of(d, w->c);
+  }
+  open_rings(d);
+  for (size_t k = 0; k < d->g->ncurve; k++) {
+    CurveWork *w = &d->work[k];
     w->fixed = w->rule != RULE_SIZE && !(w->rule == RULE_LAW && d->opt->Mesh_FlexibleTransfinite);
     if (w->rule == RULE_LAW) w->segments = law_segments(d, w->c);
     if (w->rule == RULE_LAYERS) w->segments = layer_segments(&w->c->layers);
@@ -188,22 +217,18 @@ static bool copy_curve(Mesher1d *d, size_t k, size_t master, int signed_tag)
   return true;
 }
 
-// Follow masters to one that is meshed, then copy back along the way. Chains are short; a cycle is an error.
-static bool resolve_copy(Mesher1d *d, size_t k, size_t steps)
+// Follow masters to one that is meshed, then copy back along the way. There are no rings (open_rings).
+static bool resolve_copy(Mesher1d *d, size_t k)
 {
   CurveWork *w = &d->work[k];
   if (w->rule != RULE_COPY) return true;
   int tag = w->c->copy_of ? w->c->copy_of : w->c->periodic_master;
-  uint32_t master = mesh1d_index(d->g, tag);
+  uint32_t master = master_of(d, k);
   if (master == NONE) {
     diag_error(d->diag, w->c->loc, "curve %d copies the mesh of curve %d, which does not exist", w->c->tag, tag);
     return false;
   }
-  if (steps > 1000 || master == k) {
-    diag_error(d->diag, w->c->loc, "curve %d copies its own mesh, by way of curve %d", w->c->tag, tag);
-    return false;
-  }
-  if (!resolve_copy(d, master, steps + 1) || !copy_curve(d, k, master, tag)) return false;
+  if (!resolve_copy(d, master) || !copy_curve(d, k, master, tag)) return false;
   w->segments = d->g->curve[k].n ? d->g->curve[k].n - 1 : 0;
   w->rule = d->work[master].rule == RULE_NONE ? RULE_NONE : RULE_LAW; // done
   return true;
@@ -212,7 +237,7 @@ static bool resolve_copy(Mesher1d *d, size_t k, size_t steps)
 static bool resolve_copies(Mesher1d *d)
 {
   bool good = true;
-  for (size_t k = 0; k < d->g->ncurve; k++) good = resolve_copy(d, k, 0) && good;
+  for (size_t k = 0; k < d->g->ncurve; k++) good = resolve_copy(d, k) && good;
   return good;
 }
 

@@ -71,6 +71,13 @@ static uint32_t segments_of(Mesher1d *d, uint32_t k)
   return k == NONE || d->work[k].rule == RULE_COPY ? 0 : d->work[k].segments;
 }
 
+static void freeze(Mesher1d *d, int tag, uint32_t arg)
+{
+  (void)arg;
+  uint32_t k = mesh1d_index(d->g, tag);
+  if (k != NONE) d->work[k].fixed = true;
+}
+
 typedef struct {
   uint32_t nface;
   uint32_t *side;   // 2 per curve: the faces it bounds, nface for outside
@@ -87,7 +94,7 @@ static void collect(Mesher1d *d, FaceGraph *fg)
       for (int k = 0; loop && k < loop->ncurve; k++) {
         uint32_t c = mesh1d_index(d->g, loop->curve[k]);
         if (c == NONE) continue;
-        fg->odd[f] ^= segments_of(d, c) & 1;
+        if (!is_structured(face)) fg->odd[f] ^= segments_of(d, c) & 1;
         if (fg->used[c] < 2) fg->side[2 * c + fg->used[c]] = f;
         if (fg->used[c] < 3) fg->used[c]++;
       }
@@ -129,6 +136,9 @@ static void join_on_forest(Mesher1d *d, FaceGraph *fg, const Link *tree, size_t 
 
 static void settle_globally(Mesher1d *d)
 {
+  // Opposite sides of structured faces have to stay equal.
+  for (size_t f = 0; f < model_faces(d->m); f++)
+    if (is_structured(model_face_at(d->m, f))) for_boundary(d, model_face_at(d->m, f), freeze, 0);
   size_t nc = d->g->ncurve;
   FaceGraph fg = {.nface = (uint32_t)model_faces(d->m)};
   fg.side = mem_alloc((2 * nc + 1) * sizeof *fg.side);
@@ -186,6 +196,7 @@ void mesh1d__settle_parity(Mesher1d *d)
   }
   for (size_t k = 0; k < model_faces(d->m); k++) {
     const Face *f = model_face_at(d->m, k);
+    if (is_structured(f)) continue; // its pattern needs no even counts, only equal ones
     if (all || (f->recombine && method != 0)) for_boundary(d, f, round_up, multiple);
   }
 }

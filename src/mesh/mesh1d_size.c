@@ -203,10 +203,10 @@ static double sum_linear(Samples *g)
   return g->sum[g->n - 1];
 }
 
-// Segments for an adimensional length; 0.01 more than a whole number does not add one.
+// Segments for an adimensional length; up to 0.01 more than a whole number does not add one, rounding of that included.
 static uint32_t segments_for(double a, uint32_t least)
 {
-  double n = floor(a + 0.99);
+  double n = floor(a + 0.99 - 1e-9);
   return n > least ? (n < 4e9 ? (uint32_t)n : UINT32_MAX) : least;
 }
 
@@ -388,20 +388,18 @@ static int by_ratio(const void *a, const void *b)
   return x->node < y->node ? -1 : x->node > y->node;
 }
 
-// Interior nodes nearer to the one kept before than 0.3 of the size wanted there (before its growth was limited) go, as long
-// as `least` segments remain; an even number of them if the parity is to stay.
-static void drop_close_nodes(const CurveWork *w, CurveMesh *cm, SizeEval *eval, bool even)
+// Interior nodes nearer to the one kept before than 0.3 of the size wanted half-way between them (before its growth was limited)
+// go, as long as `least` segments remain; an even number of them if the parity is to stay.
+static void drop_close_nodes(Mesher1d *d, const CurveWork *w, CurveMesh *cm, SizeEval *eval, bool even)
 {
   Vec(Close) close = {0};
-  double *h = mem_alloc(cm->n * sizeof *h);
-  size_on_curve_batch(eval, w->c, cm->u, cm->p, cm->n, h);
   uint32_t kept = 0;
   for (uint32_t i = 1; i + 1 < cm->n; i++) {
-    double dist = vec3_distance(cm->p[i], cm->p[kept]);
-    if (dist < 0.3 * h[i]) vec_push(&close, ((Close){h[i] / dist, i}));
+    double u = (cm->u[i] + cm->u[kept]) / 2, dist = vec3_distance(cm->p[i], cm->p[kept]);
+    double h = size_on_curve(eval, w->c, u, curve_point(d->m, w->c, u));
+    if (dist < 0.3 * h) vec_push(&close, ((Close){h / dist, i}));
     else kept = i;
   }
-  free(h);
   size_t n = close.len;
   if (even && n % 2) n--;
   uint32_t spare = cm->n - 1 > w->least ? cm->n - 1 - w->least : 0;
@@ -445,7 +443,7 @@ void mesh1d__place(Mesher1d *d, size_t k, SizeEval *eval)
       cm->h[i] = f > 0 ? vec3_length(curve_deriv(d->m, w->c, cm->u[i])) / f : size_on_curve(eval, w->c, cm->u[i], cm->p[i]);
     }
   } else if (!own) {
-    drop_close_nodes(w, cm, eval, w->parity);
+    drop_close_nodes(d, w, cm, eval, w->parity);
   }
   mesh1d__release(w);
 }

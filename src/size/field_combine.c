@@ -66,6 +66,11 @@ static bool build_list(SizeField *s, Node *n, Diag *diag)
   const FieldValue *v = field__value(n->field, "FieldsList");
   for (size_t i = 0; i < v->nlist; i++) {
     if ((int)v->list[i] == n->field->id) continue; // Gmsh skips a mention of itself
+    if (!field_exists(s->fields, (int)v->list[i])) {
+      diag_warning(diag, v->loc, "field %d (%s): there is no field %g; it is left out", n->field->id,
+                   field__type(n->field->kind)->name, v->list[i]);
+      continue;
+    }
     if (!size__refer(s, n, (int)v->list[i], v->loc, diag)) return false;
   }
   if (n->nin) return true;
