@@ -196,7 +196,6 @@ void mesh1d__settle_parity(Mesher1d *d)
   }
   for (size_t k = 0; k < model_faces(d->m); k++) {
     const Face *f = model_face_at(d->m, k);
-    if (is_structured(f)) continue; // its pattern needs no even counts, only equal ones
     if (all || (f->recombine && method != 0)) for_boundary(d, f, round_up, multiple);
   }
 }
