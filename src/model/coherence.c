@@ -225,8 +225,7 @@ static void merge_points(Model *m, Merged *g)
 // Where start, centre and end are in line the plane decides which half circle it is.
 static bool plane_matters(const Model *m, const Curve *c)
 {
-  if (c->sweep != 0) return true;
-  if (!c->has_plane || (c->type != CURVE_CIRCLE && c->type != CURVE_ELLIPSE)) return false;
+  if (c->arc || !c->has_plane || (c->type != CURVE_CIRCLE && c->type != CURVE_ELLIPSE)) return false;
   Vec3 o = point__get(m, c->point[1])->xyz;
   Vec3 a = vec3_sub(point__get(m, c->begin)->xyz, o), b = vec3_sub(point__get(m, c->end)->xyz, o);
   return vec3_length(vec3_cross(a, b)) <= 1e-12 * vec3_length(a) * vec3_length(b);
@@ -234,7 +233,7 @@ static bool plane_matters(const Model *m, const Curve *c)
 
 static int curve_control(const Curve *c, int i, bool back)
 {
-  if (back && c->type == CURVE_ELLIPSE && (i == 1 || i == 2)) return c->point[i];
+  if (back && c->type == CURVE_ELLIPSE && c->npoint == 4 && (i == 1 || i == 2)) return c->point[i];
   return c->point[back ? c->npoint - 1 - i : i];
 }
 
@@ -268,15 +267,30 @@ static bool same_controls(const Curve *a, const Curve *b, bool back)
   return true;
 }
 
+static Vec3 arc_point(const Arc *a, double s)
+{
+  double t = a->t0 + s * (a->t1 - a->t0);
+  return vec3_add(a->centre, vec3_add(vec3_scale(cos(t), a->a), vec3_scale(sin(t), a->b)));
+}
+
+static bool same_arc(const Arc *a, const Arc *b, bool back)
+{
+  if (!a || !b) return a == b;
+  double tol = 1e-9 * fmax(vec3_length(a->a), vec3_length(a->b));
+  for (int i = 1; i < 4; i++)
+    if (vec3_distance(arc_point(a, i / 4.0), arc_point(b, back ? 1 - i / 4.0 : i / 4.0)) > tol) return false;
+  return true;
+}
+
 // 1: the same curve, -1: its reverse, 0: another.
 static int same_curve(const Model *m, const Curve *a, const Curve *b)
 {
-  if (a->type != b->type || a->npoint != b->npoint || a->nknot != b->nknot || a->sweep != b->sweep) return 0;
+  if (a->type != b->type || a->npoint != b->npoint || a->nknot != b->nknot) return 0;
   bool planes = plane_matters(m, a) || plane_matters(m, b);
   Vec3 na = a->has_plane ? a->plane : (Vec3){0, 0, 1}, nb = b->has_plane ? b->plane : (Vec3){0, 0, 1};
   double along = planes ? vec3_dot(na, nb) / (vec3_length(na) * vec3_length(nb)) : 1;
-  if (same_controls(a, b, false) && along > 1 - 1e-9) return 1;
-  if (same_controls(a, b, true) && (!planes || along < -1 + 1e-9)) return -1;
+  if (same_controls(a, b, false) && same_arc(a->arc, b->arc, false) && along > 1 - 1e-9) return 1;
+  if (same_controls(a, b, true) && same_arc(a->arc, b->arc, true) && (!planes || along < -1 + 1e-9)) return -1;
   return 0;
 }
 

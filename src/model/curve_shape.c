@@ -186,7 +186,7 @@ static bool arc_plane(const Model *m, const Curve *c, ArcPlane *a, Diag *diag)
     return false;
   }
   Vec3 n = vec3_cross(vec3_scale(1 / ls, s), vec3_scale(1 / le, e));
-  if (vec3_length(n) < 1e-15 || c->sweep != 0) n = c->has_plane ? c->plane : (Vec3){0, 0, 1};
+  if (vec3_length(n) < 1e-15) n = c->has_plane ? c->plane : (Vec3){0, 0, 1};
   double ln = vec3_length(n);
   if (!(ln > 0)) {
     diag_error(diag, c->loc, "the plane of %s arc %d has a normal of length 0", word, c->tag);
@@ -228,7 +228,7 @@ static CurveShape *circle(const Model *m, const Curve *c, Diag *diag)
   h->a = vec3_scale(r1, p.x);
   h->b = vec3_scale(r1, p.y);
   h->t0 = 0;
-  h->t1 = c->sweep != 0 ? c->sweep : fabs(atan2(p.end[1], p.end[0]));
+  h->t1 = fabs(atan2(p.end[1], p.end[0]));
   return h;
 }
 
@@ -250,11 +250,7 @@ static CurveShape *ellipse(const Model *m, const Curve *c, Diag *diag)
   double det = x1 * x1 * y2 * y2 - x2 * x2 * y1 * y1;
   double scale = (x1 * x1 + y1 * y1) * (x2 * x2 + y2 * y2);
   double s1 = (y2 * y2 - y1 * y1) / det, s2 = (x1 * x1 - x2 * x2) / det; // 1/f1^2, 1/f2^2
-  if (c->sweep != 0) { // the axes are the third point's and the start's own
-    s1 = 1 / (ml * ml);
-    double f = (1 - x1 * x1 * s1) / (y1 * y1);
-    s2 = f > 0 && isfinite(f) ? f : s1;
-  } else if (!(fabs(det) > 1e-14 * scale) || !(s1 > 0) || !(s2 > 0) || !isfinite(s1) || !isfinite(s2)) {
+  if (!(fabs(det) > 1e-14 * scale) || !(s1 > 0) || !(s2 > 0) || !isfinite(s1) || !isfinite(s2)) {
     diag_error(diag, c->loc, "no ellipse with centre %d and an axis towards point %d passes through the ends %d and %d of arc %d",
                c->point[1], c->point[2], c->point[0], c->point[3], c->tag);
     return NULL;
@@ -265,12 +261,25 @@ static CurveShape *ellipse(const Model *m, const Curve *c, Diag *diag)
   h->a = vec3_scale(f1, vec3_add(vec3_scale(mx, p.x), vec3_scale(my, p.y)));
   h->b = vec3_scale(f2, vec3_add(vec3_scale(-my, p.x), vec3_scale(mx, p.y)));
   h->t0 = atan2(y1 / f2, x1 / f1);
-  h->t1 = c->sweep != 0 ? h->t0 + c->sweep : atan2(y2 / f2, x2 / f1);
+  h->t1 = atan2(y2 / f2, x2 / f1);
   if (h->t1 <= h->t0) h->t1 += 2 * PI;
   return h;
 }
 
 // ---- all --------------------------------------------------------------------------------------------------------------
+
+static CurveShape *given_arc(const Model *m, const Curve *c)
+{
+  CurveShape *h = new_shape(m, c, SHAPE_ARC);
+  h->centre = c->arc->centre;
+  h->a = c->arc->a;
+  h->b = c->arc->b;
+  h->t0 = c->arc->t0;
+  h->t1 = c->arc->t1;
+  double a = vec3_length(h->a), b = vec3_length(h->b);
+  h->circle = fabs(a - b) <= 1e-13 * a && fabs(vec3_dot(h->a, h->b)) <= 1e-13 * a * b;
+  return h;
+}
 
 bool curve__build(Model *m, Curve *c, Diag *diag)
 {
@@ -279,8 +288,8 @@ bool curve__build(Model *m, Curve *c, Diag *diag)
   switch (c->type) {
   case CURVE_LINE: return true;
   case CURVE_POLYLINE: h = polyline(m, c); break;
-  case CURVE_CIRCLE: h = circle(m, c, diag); break;
-  case CURVE_ELLIPSE: h = ellipse(m, c, diag); break;
+  case CURVE_CIRCLE: h = c->arc ? given_arc(m, c) : circle(m, c, diag); break;
+  case CURVE_ELLIPSE: h = c->arc ? given_arc(m, c) : ellipse(m, c, diag); break;
   case CURVE_SPLINE: h = catmull_rom(m, c); break;
   case CURVE_BSPLINE:
     h = c->point[0] == c->point[c->npoint - 1] && c->npoint > 2 ? periodic_bspline(m, c) : clamped_bspline(m, c);

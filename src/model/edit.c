@@ -120,10 +120,9 @@ Volume *volume__make(Model *m, int tag, const int *face, int nface, SrcLoc loc)
 
 enum { TAG_LIMIT = HIDDEN_LOOP - 1 };
 
-// The tag to use, or -1 after an error.
-static int claim(Model *m, Kind k, int tag, SrcLoc loc, Diag *diag)
+int tag__claim(Model *m, Kind k, int tag, SrcLoc loc, Diag *diag)
 {
-  if (tag == -1) tag = model_new_tag(m, k);
+  if (tag == -1) tag = model__next_tag(m, k);
   if (tag < 0 || tag > TAG_LIMIT) {
     diag_error(diag, loc, "%s tag %d is not between 0 and %d", kind__name(k), tag, TAG_LIMIT);
     return -1;
@@ -175,7 +174,7 @@ static const char *curve_word(CurveType t)
 int model_add_point(Model *m, int tag, Vec3 xyz, double lc, SrcLoc loc, Diag *diag)
 {
   if (m->moved.len) model__restore_points(m);
-  tag = claim(m, KIND_POINT, tag, loc, diag);
+  tag = tag__claim(m, KIND_POINT, tag, loc, diag);
   if (tag < 0) return -1;
   if (!isfinite(xyz.x) || !isfinite(xyz.y) || !isfinite(xyz.z)) {
     diag_error(diag, loc, "coordinates of point %d are not finite (%g, %g, %g)", tag, xyz.x, xyz.y, xyz.z);
@@ -240,7 +239,7 @@ static bool knots_are_right(int tag, const double *knot, size_t n, SrcLoc loc, D
 int model_add_curve(Model *m, CurveType type, int tag, const int *point, size_t npoint, const Vec3 *plane,
                     const double *knot, size_t nknot, SrcLoc loc, Diag *diag)
 {
-  tag = claim(m, KIND_CURVE, tag, loc, diag);
+  tag = tag__claim(m, KIND_CURVE, tag, loc, diag);
   if (tag < 0) return -1;
   if (!count_is_right(type, tag, npoint, nknot, loc, diag) || !points_exist(m, type, tag, point, npoint, loc, diag) ||
       !knots_are_right(tag, knot, nknot, loc, diag))
@@ -271,7 +270,7 @@ int model_add_curve(Model *m, CurveType type, int tag, const int *point, size_t 
 int model_add_compound_spline(Model *m, CurveType type, int tag, const int *curve, size_t ncurve, int samples, SrcLoc loc,
                               Diag *diag)
 {
-  tag = claim(m, KIND_CURVE, tag, loc, diag);
+  tag = tag__claim(m, KIND_CURVE, tag, loc, diag);
   if (tag < 0) return -1;
   if (!ncurve || samples < 1 || samples > 1000000) {
     diag_error(diag, loc, !ncurve ? "Compound %s %d names no curve" : "Compound %s %d needs between 1 and 1000000 intervals",
@@ -297,7 +296,7 @@ int model_add_compound_spline(Model *m, CurveType type, int tag, const int *curv
     for (int k = 1; k < samples; k++) {
       double s = (double)k / samples, u = curve[i] < 0 ? 1 - s : s;
       double lc = lc0 < LC_UNSET && lc1 < LC_UNSET ? (1 - s) * lc0 + s * lc1 : LC_UNSET;
-      int p = model_new_tag(m, KIND_POINT);
+      int p = model__next_tag(m, KIND_POINT);
       point__make(m, p, curve_point(m, c, u), lc, loc);
       vec_push(&point, p);
     }
@@ -310,7 +309,7 @@ int model_add_compound_spline(Model *m, CurveType type, int tag, const int *curv
 
 int model_add_loop(Model *m, int tag, const int *curve, size_t ncurve, SrcLoc loc, Diag *diag)
 {
-  tag = claim(m, KIND_LOOP, tag, loc, diag);
+  tag = tag__claim(m, KIND_LOOP, tag, loc, diag);
   if (tag < 0) return -1;
   if (!ncurve) {
     diag_error(diag, loc, "curve loop %d names no curve", tag);
@@ -361,7 +360,7 @@ static bool loops_are_good(Model *m, int tag, const int *loop, size_t nloop, Src
 
 int model_add_face(Model *m, FaceType type, int tag, const int *loop, size_t nloop, SrcLoc loc, Diag *diag)
 {
-  tag = claim(m, KIND_FACE, tag, loc, diag);
+  tag = tag__claim(m, KIND_FACE, tag, loc, diag);
   if (tag < 0) return -1;
   const char *word = type == FACE_PLANE ? "Plane Surface" : "Surface";
   if (!nloop) {
@@ -386,7 +385,7 @@ int model_add_face(Model *m, FaceType type, int tag, const int *loop, size_t nlo
 
 int model_add_surface_loop(Model *m, int tag, const int *face, size_t nface, SrcLoc loc, Diag *diag)
 {
-  tag = claim(m, KIND_SURFACE_LOOP, tag, loc, diag);
+  tag = tag__claim(m, KIND_SURFACE_LOOP, tag, loc, diag);
   if (tag < 0) return -1;
   SurfaceLoop *l = table__add(&m->surface_loop, tag);
   l->face = arena_dup(&m->arena, face, nface * sizeof *face);
@@ -398,7 +397,7 @@ int model_add_surface_loop(Model *m, int tag, const int *face, size_t nface, Src
 
 int model_add_volume(Model *m, int tag, const int *surface_loop, size_t n, SrcLoc loc, Diag *diag)
 {
-  tag = claim(m, KIND_VOLUME, tag, loc, diag);
+  tag = tag__claim(m, KIND_VOLUME, tag, loc, diag);
   if (tag < 0) return -1;
   IntVec face = {0};
   char user[48];

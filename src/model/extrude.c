@@ -46,7 +46,7 @@ static Vec3 onto_axis(const Sweep *s, Vec3 p)
 static Curve *swept_arc(Job *j, int from, int to)
 {
   Model *m = j->m;
-  int tag = model_new_tag(m, KIND_CURVE);
+  int tag = model__next_tag(m, KIND_CURVE);
   int centre = model__copy_point(m, from, j->loc);
   model__point_moves(m, point__get(m, centre), onto_axis(j->sweep, point__get(m, from)->xyz));
   int point[3] = {from, centre, to};
@@ -62,7 +62,7 @@ static Curve *swept_screw(Job *j, int from, int first)
 {
   Model *m = j->m;
   int steps = MAX(m->set.spline_points, 1);
-  int tag = model_new_tag(m, KIND_CURVE);
+  int tag = model__next_tag(m, KIND_CURVE);
   IntVec point = {0};
   vec_push(&point, from);
   Vec3 p = point__get(m, from)->xyz;
@@ -90,7 +90,7 @@ static int sweep_point(Job *j, int from)
     move_point(j, to, &j->full);
     int pair[2] = {from, to};
     c = j->sweep->rotate ? swept_arc(j, from, to)
-                         : curve__make(m, model_new_tag(m, KIND_CURVE), CURVE_LINE, pair, 2, from, to, j->loc);
+                         : curve__make(m, model__next_tag(m, KIND_CURVE), CURVE_LINE, pair, 2, from, to, j->loc);
   }
   c->extruded_point = from;
   c->layers = j->layers;
@@ -115,7 +115,7 @@ static int sweep_curve(Job *j, int curve, int *top)
   if (end) side[n++] = end;
   side[n++] = -*top;
   if (begin) side[n++] = -begin;
-  int tag = model_new_tag(m, KIND_FACE);
+  int tag = model__next_tag(m, KIND_FACE);
   int loop = loop__make_hidden(m, side, n, j->loc);
   Face *f = face__make(m, tag, FACE_FILLING, &loop, 1, j->loc);
   f->extruded_curve = curve;
@@ -153,7 +153,7 @@ static int sweep_face(Job *j, int face, int *top, IntVec *lateral)
     model_curve(m, top_curve.data[i])->copy_of = curve.data[i]; // the copy that survives
     vec_push(&m->layered, top_curve.data[i]);
   }
-  int tag = model_new_tag(m, KIND_FACE);
+  int tag = model__next_tag(m, KIND_FACE);
   renumber_face(m, *top, tag);
   *top = tag;
   IntVec shell = {0};
@@ -179,7 +179,7 @@ static void put(ShapeVec *out, const Merged *g, int dim, int tag)
 
 static void settle(Job *j, Merged *g)
 {
-  if (j->m->set.auto_coherence && !j->m->set.opencascade) model__merge(j->m, g);
+  if (j->m->set.auto_coherence || j->m->set.opencascade) model__merge(j->m, g);
 }
 
 static void extrude_point(Job *j, int tag, ShapeVec *out)

@@ -169,10 +169,12 @@ void model__note_tag(Model *m, Kind k, int tag)
 int model_new_tag(const Model *m, Kind k)
 {
   int max = m->max[k];
-  if (k != KIND_POINT && (m->set.old_newreg && !m->set.opencascade))
+  if (k != KIND_POINT && m->set.old_newreg)
     for (int i = KIND_CURVE; i < KIND_COUNT; i++) max = MAX(max, m->max[i]);
   return max + 1;
 }
+
+int model__next_tag(const Model *m, Kind k) { return m->set.opencascade ? m->max[k] + 1 : model_new_tag(m, k); }
 
 void model__recount(Model *m, Kind k)
 {

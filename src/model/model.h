@@ -37,6 +37,12 @@ typedef enum {
 
 typedef enum { LAW_UNIFORM, LAW_PROGRESSION, LAW_BUMP, LAW_BETA } TransfiniteLaw;
 
+// An arc  centre + cos t a + sin t b,  t from t0 to t1, up to a full turn (OpenCASCADE's circles and ellipses).
+typedef struct {
+  Vec3 centre, a, b;
+  double t0, t1;
+} Arc;
+
 // Layers of an extrusion (Layers{{n..},{h..}}): counts per layer and cumulative heights, ending at 1. n == 0: none given.
 typedef struct {
   int n;
@@ -55,8 +61,7 @@ typedef struct {
   int nknot;
   bool has_plane;         // Circle/Ellipse ... Plane {n}
   Vec3 plane;
-  double sweep;           // CURVE_CIRCLE, CURVE_ELLIPSE: angle swept in that plane, up to 2 pi (OpenCASCADE's arcs); 0: the
-                          // one below pi
+  Arc *arc;               // CURVE_CIRCLE, CURVE_ELLIPSE given by numbers: then point is {start, end}; else NULL
   SrcLoc loc;
 
   // how to mesh it

@@ -17,7 +17,8 @@ typedef struct {
   bool copy_meshing;       // Geometry.CopyMeshingMethod, 0: Duplicata copies mesh attributes
   bool return_lateral;     // Geometry.ExtrudeReturnLateralEntities, 1
   int spline_points;       // Geometry.ExtrudeSplinePoints, 5
-  bool opencascade;        // SetFactory("OpenCASCADE"): tags count per dimension, no coherence after transforms
+  bool opencascade;        // SetFactory("OpenCASCADE"): tags taken by statements themselves count per dimension, copies of
+                           // a surface share their ends, no coherence after transforms
 } ModelSettings;
 ModelSettings *model_settings(Model *m);
 
@@ -51,6 +52,12 @@ int model_add_compound_spline(Model *m, CurveType type, int tag, const int *curv
 // Curves may be listed in any order, and may be made after the loop (an unknown one is an error once a face uses the loop).
 int model_add_loop(Model *m, int tag, const int *curve, size_t ncurve, SrcLoc loc, Diag *diag);
 int model_add_face(Model *m, FaceType type, int tag, const int *loop, size_t nloop, SrcLoc loc, Diag *diag);
+// OpenCASCADE's plane shapes, with its tags (points and curves of their own; -1 or the tag given is the face's or the curve's).
+// Rectangle: lower left corner, sizes of any sign but 0, radius of the corners or 0. Disk: one closed curve.
+int model_add_rectangle(Model *m, int tag, Vec3 corner, double dx, double dy, double radius, SrcLoc loc, Diag *diag);
+int model_add_disk(Model *m, int tag, Vec3 centre, double rx, double ry, SrcLoc loc, Diag *diag);
+// Circle/Ellipse(tag) = {x, y, z, r | rx, ry, from, to}: an arc in the plane z, counter-clockwise, of up to 2 pi (then closed).
+int model_add_arc(Model *m, int tag, Vec3 centre, double rx, double ry, double from, double to, SrcLoc loc, Diag *diag);
 // Three-dimensional things: kept for tags, boundaries and groups; never meshed.
 int model_add_surface_loop(Model *m, int tag, const int *face, size_t nface, SrcLoc loc, Diag *diag);
 int model_add_volume(Model *m, int tag, const int *surface_loop, size_t n, SrcLoc loc, Diag *diag);

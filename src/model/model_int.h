@@ -115,6 +115,9 @@ static inline Kind dim__kind(int dim)
 }
 void model__restore_points(Model *m);
 
+int model__next_tag(const Model *m, Kind k); // of what a statement makes by itself: model_new_tag, but for OpenCASCADE
+int tag__claim(Model *m, Kind k, int tag, SrcLoc loc, Diag *diag); // the tag to use, or -1 after an error
+
 // edit.c: entities without checks, for copies and extrusions. The arrays are copied into the arena.
 Point *point__make(Model *m, int tag, Vec3 xyz, double lc, SrcLoc loc);
 Curve *curve__make(Model *m, int tag, CurveType type, const int *point, int npoint, int begin, int end, SrcLoc loc);

@@ -170,7 +170,7 @@ static void put_part(Model *m, const Curve *c, int from, int to, IntVec *run, In
   vec_clear(run);
   for (int k = from; k <= to; k++) vec_push(run, c->point[k < c->npoint ? k : k - (c->npoint - 1)]);
   CurveType type = c->type == CURVE_POLYLINE && run->len == 2 ? CURVE_LINE : c->type;
-  int t = model_new_tag(m, KIND_CURVE);
+  int t = model__next_tag(m, KIND_CURVE);
   curve__make(m, t, type, run->data, (int)run->len, run->data[0], vec_last(run), loc);
   vec_push(part, t);
 }

@@ -142,11 +142,23 @@ void model__move_points(Model *m, const int *tag, size_t n, const Affine *a)
   }
 }
 
+static void move_arc(Arc *arc, const Affine *a)
+{
+  Vec3 x = affine_apply(a, vec3_add(arc->centre, arc->a)), y = affine_apply(a, vec3_add(arc->centre, arc->b));
+  arc->centre = affine_apply(a, arc->centre);
+  arc->a = vec3_sub(x, arc->centre);
+  arc->b = vec3_sub(y, arc->centre);
+}
+
 // Arcs whose plane their points do not give (half circles) need a normal of their own once they were turned.
 static void turn_planes(Model *m, const IntVec *curve, const Affine *a)
 {
   for (size_t i = 0; i < curve->len; i++) {
     Curve *c = model_curve(m, curve->data[i]);
+    if (c->arc) {
+      move_arc(c->arc, a);
+      continue;
+    }
     if (c->type != CURVE_CIRCLE && c->type != CURVE_ELLIPSE) continue;
     Vec3 n = apply_to_normal(a, c->has_plane ? c->plane : (Vec3){0, 0, 1});
     double length = vec3_length(n);
@@ -203,7 +215,7 @@ void model__transform_shape(Model *m, int dim, int tag, const Affine *a)
 int model__copy_point(Model *m, int tag, SrcLoc loc)
 {
   const Point *p = point__get(m, tag);
-  int copy = model_new_tag(m, KIND_POINT);
+  int copy = model__next_tag(m, KIND_POINT);
   point__make(m, copy, p->xyz, p->lc, loc);
   return copy;
 }
@@ -228,10 +240,10 @@ int model__copy_curve(Model *m, int signed_tag, SrcLoc loc)
 {
   const Curve *c = model_curve(m, signed_tag);
   bool back = signed_tag < 0;
-  int tag = model_new_tag(m, KIND_CURVE), n = c->npoint;
+  int tag = model__next_tag(m, KIND_CURVE), n = c->npoint;
   int *point = mem_alloc((size_t)n * sizeof *point);
   for (int i = 0; i < n; i++) point[i] = c->point[back ? n - 1 - i : i];
-  if (back && c->type == CURVE_ELLIPSE) { // the centre and the axis keep their places
+  if (back && c->type == CURVE_ELLIPSE && n == 4) { // the centre and the axis keep their places
     point[1] = c->point[1];
     point[2] = c->point[2];
   }
@@ -244,11 +256,16 @@ int model__copy_curve(Model *m, int signed_tag, SrcLoc loc)
     d->knot = arena_dup(&m->arena, c->knot, (size_t)c->nknot * sizeof *c->knot);
     for (int i = 0; back && i < c->nknot; i++) d->knot[i] = c->knot[0] + c->knot[c->nknot - 1] - c->knot[c->nknot - 1 - i];
   }
+  if (c->arc) {
+    d->arc = arena_dup(&m->arena, c->arc, sizeof *c->arc);
+    if (back) d->arc->t0 = c->arc->t1, d->arc->t1 = c->arc->t0;
+    if (m->set.copy_meshing) copy_curve_mesh(m, d, c, back);
+    return tag;
+  }
   d->has_plane = c->has_plane || (back && (c->type == CURVE_CIRCLE || c->type == CURVE_ELLIPSE));
   d->plane = c->has_plane ? c->plane : (Vec3){0, 0, 1};
   if (back) d->plane = vec3_scale(-1, d->plane);
   if (!d->has_plane) d->plane = (Vec3){0, 0, 0};
-  d->sweep = c->sweep;
   if (m->set.copy_meshing) copy_curve_mesh(m, d, c, back);
   return tag;
 }
@@ -257,7 +274,7 @@ int model__copy_curve(Model *m, int signed_tag, SrcLoc loc)
 int model__copy_face(Model *m, int signed_tag, SrcLoc loc)
 {
   const Face *f = model_face(m, signed_tag);
-  int tag = model_new_tag(m, KIND_FACE);
+  int tag = model__next_tag(m, KIND_FACE);
   int before = m->max[KIND_FACE];
   model__note_tag(m, KIND_FACE, tag); // the curves' tags come after it
   IntVec curve = {0}, start = {0}, copy = {0};
@@ -282,11 +299,70 @@ int model__copy_face(Model *m, int signed_tag, SrcLoc loc)
   return tag;
 }
 
+// OpenCASCADE copies a shape whole: what its curves shared, their copies share.
+typedef struct {
+  Model *m;
+  Map copy; // dim << 32 | tag -> tag of the copy
+  SrcLoc loc;
+} Whole;
+
+static int whole_point(Whole *w, int tag)
+{
+  bool added;
+  uint32_t *slot = map_slot(&w->copy, (uint64_t)(uint32_t)tag, 0, &added);
+  if (added) *slot = (uint32_t)model__copy_point(w->m, tag, w->loc);
+  return (int)*slot;
+}
+
+static int whole_curve(Whole *w, int signed_tag)
+{
+  Model *m = w->m;
+  const Curve *c = model_curve(m, signed_tag);
+  uint64_t key = (uint64_t)1 << 32 | (uint32_t)c->tag;
+  uint32_t known = map_get(&w->copy, key);
+  if (known != NONE) return signed_tag < 0 ? -(int)known : (int)known;
+  (void)whole_point(w, curve__from(m, signed_tag));
+  (void)whole_point(w, curve__to(m, signed_tag));
+  int *point = mem_alloc((size_t)c->npoint * sizeof *point), tag = model__next_tag(m, KIND_CURVE);
+  for (int i = 0; i < c->npoint; i++) point[i] = whole_point(w, c->point[i]);
+  Curve *d = curve__make(m, tag, c->type, point, c->npoint, whole_point(w, c->begin), whole_point(w, c->end), w->loc);
+  free(point);
+  if (c->arc) d->arc = arena_dup(&m->arena, c->arc, sizeof *c->arc);
+  if (c->nknot) d->knot = arena_dup(&m->arena, c->knot, (size_t)c->nknot * sizeof *c->knot);
+  d->nknot = c->nknot;
+  d->has_plane = c->has_plane;
+  d->plane = c->plane;
+  map_set(&w->copy, key, (uint32_t)tag);
+  return signed_tag < 0 ? -tag : tag;
+}
+
+static int whole_face(Whole *w, int tag)
+{
+  Model *m = w->m;
+  IntVec curve = {0}, start = {0};
+  const Face *f = model_face(m, tag);
+  face_boundary(m, f, &curve, &start);
+  for (size_t i = 0; i < curve.len; i++) curve.data[i] = whole_curve(w, curve.data[i]);
+  int loop = loop__make_hidden(m, curve.data, (int)curve.len, w->loc), copy = model__next_tag(m, KIND_FACE);
+  face__make(m, copy, f->type, &loop, 1, w->loc);
+  vec_free(&curve);
+  vec_free(&start);
+  return copy;
+}
+
+static int copy_whole(Model *m, Shape s, SrcLoc loc)
+{
+  Whole w = {m, {0}, loc};
+  int copy = s.dim == 0 ? whole_point(&w, tag__abs(s.tag)) : s.dim == 1 ? whole_curve(&w, tag__abs(s.tag)) : whole_face(&w, tag__abs(s.tag));
+  map_free(&w.copy);
+  return copy;
+}
+
 // Duplicates of the faces' shared curves are made face by face and merged later, as in Gmsh.
 static int copy_volume(Model *m, int tag, SrcLoc loc)
 {
   const Volume *v = table__get(&m->volume, tag);
-  int copy = model_new_tag(m, KIND_VOLUME);
+  int copy = model__next_tag(m, KIND_VOLUME);
   int before = m->max[KIND_VOLUME];
   model__note_tag(m, KIND_VOLUME, copy);
   IntVec face = {0};
@@ -306,6 +382,11 @@ bool model_duplicate(Model *m, const Shape *shape, size_t n, ShapeVec *out, SrcL
   if (!shapes_exist(m, shape, n, "copy", loc, diag)) return false;
   for (size_t i = 0; i < n; i++) {
     Shape s = shape[i];
+    if (m->set.opencascade && s.dim < 3) {
+      s.tag = copy_whole(m, s, loc);
+      vec_push(out, s);
+      continue;
+    }
     if (s.dim == 0) s.tag = model__copy_point(m, tag__abs(s.tag), loc);
     if (s.dim == 1) s.tag = model__copy_curve(m, s.tag, loc);
     if (s.dim == 2) s.tag = model__copy_face(m, tag__abs(s.tag), loc);

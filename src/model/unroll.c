@@ -55,6 +55,106 @@ static void put_list_head(Writer *w, const char *what, const int *v, size_t n, c
   writer_str(w, after);
 }
 
+// ---- arcs by numbers --------------------------------------------------------------------------------------------------------
+
+// Plain .geo has arcs below pi only, through points: OpenCASCADE's arcs get a centre (and an axis point), and those of pi or more
+// become several curves, with tags beyond all others.
+typedef struct {
+  Writer *w;
+  const Model *m;
+  Map part;        // curve tag -> index of its parts in `tag`, -1 at their end
+  IntVec tag;
+  int point, next; // last tags given out
+} Unroll;
+
+static int fresh_point(Unroll *r, Vec3 x)
+{
+  put_head(r->w, "Point", ++r->point);
+  put_vec(r->w, x);
+  writer_str(r->w, ";\n");
+  return r->point;
+}
+
+static Vec3 on_arc(const Arc *a, double t)
+{
+  return vec3_add(a->centre, vec3_add(vec3_scale(cos(t), a->a), vec3_scale(sin(t), a->b)));
+}
+
+// Where to cut, as fractions, the end included. Circles evenly; an ellipse at its axes (at angle `axis`), since its ends and centre do
+// not give an arc whose ends mirror each other in an axis.
+static int arc_cuts(const Arc *a, bool circle, double axis, double cut[6])
+{
+  double turn = a->t1 - a->t0, half_pi = 1.57079632679489662;
+  int n = 0;
+  if (circle) {
+    int parts = fabs(turn) < 3.14 ? 1 : (int)ceil(fabs(turn) / 2.2);
+    for (n = 0; n < parts; n++) cut[n] = (n + 1.0) / parts;
+    return n;
+  }
+  double mirror = fabs(sin(a->t0 + a->t1 - 2 * axis) * sin(turn)); // 0 where the ends mirror
+  if (fabs(turn) >= 3.14 || mirror < 1e-3) {
+    double first = (a->t0 - axis) / half_pi, last = (a->t1 - axis) / half_pi;
+    for (int k = (int)floor(fmin(first, last)); k <= (int)ceil(fmax(first, last)) && n < 5; k++) {
+      double f = (k - first) / (last - first);
+      if (f > 1e-6 && f < 1 - 1e-6) cut[n++] = f;
+    }
+    for (int i = 0; turn < 0 && i < n / 2; i++) {
+      double t = cut[i];
+      cut[i] = cut[n - 1 - i];
+      cut[n - 1 - i] = t;
+    }
+  }
+  cut[n++] = 1;
+  return n;
+}
+
+static void put_arc(Unroll *r, const Curve *c)
+{
+  const Arc *a = c->arc;
+  double la = vec3_dot(a->a, a->a), lb = vec3_dot(a->b, a->b), ab = vec3_dot(a->a, a->b), cut[6];
+  bool circle = fabs(la - lb) <= 1e-12 * la && fabs(ab) <= 1e-12 * la;
+  double at = circle ? 0 : atan2(2 * ab, la - lb) / 2; // of the longest of the conjugate radii
+  int n = arc_cuts(a, circle, at, cut), centre = fresh_point(r, a->centre), from = c->begin;
+  int axis = circle ? centre : fresh_point(r, on_arc(a, at));
+  if (n > 1) map_set(&r->part, (uint64_t)c->tag, (uint32_t)r->tag.len);
+  for (int i = 0; i < n; i++) {
+    int to = i + 1 == n ? c->end : fresh_point(r, on_arc(a, a->t0 + (a->t1 - a->t0) * cut[i])), tag = n == 1 ? c->tag : ++r->next;
+    put_head(r->w, circle ? "Circle" : "Ellipse", tag);
+    int round[3] = {from, centre, to}, oval[4] = {from, centre, axis, to};
+    put_ints(r->w, circle ? round : oval, circle ? 3 : 4);
+    writer_str(r->w, ";\n");
+    if (n > 1) vec_push(&r->tag, tag);
+    from = to;
+  }
+  if (n > 1) vec_push(&r->tag, -1);
+}
+
+// A list of curves with the parts in the place of what was cut.
+static void put_curve_list(Unroll *r, const int *v, size_t n)
+{
+  if (!r->part.len) {
+    put_ints(r->w, v, n);
+    return;
+  }
+  IntVec all = {0};
+  for (size_t i = 0; i < n; i++) {
+    uint32_t at = map_get(&r->part, (uint64_t)tag__abs(v[i]));
+    if (at == NONE) {
+      vec_push(&all, v[i]);
+      continue;
+    }
+    size_t from = all.len;
+    for (size_t k = at; r->tag.data[k] >= 0; k++) vec_push(&all, v[i] < 0 ? -r->tag.data[k] : r->tag.data[k]);
+    for (size_t a = from, b = all.len; v[i] < 0 && a < b--; a++) {
+      int t = all.data[a];
+      all.data[a] = all.data[b];
+      all.data[b] = t;
+    }
+  }
+  put_ints(r->w, all.data, all.len);
+  vec_free(&all);
+}
+
 // ---- points, curves -------------------------------------------------------------------------------------------------------
 
 static Vec3 own_place(const Model *m, const Point *p)
@@ -79,17 +179,23 @@ static void put_points(Writer *w, const Model *m)
 // Half circles are told apart by their plane only.
 static bool needs_plane(const Model *m, const Curve *c)
 {
-  if (!c->has_plane || (c->type != CURVE_CIRCLE && c->type != CURVE_ELLIPSE)) return false;
+  if (c->arc || !c->has_plane || (c->type != CURVE_CIRCLE && c->type != CURVE_ELLIPSE)) return false;
   Vec3 o = model_point(m, c->point[1])->xyz;
   Vec3 a = vec3_sub(model_point(m, c->point[0])->xyz, o), b = vec3_sub(model_point(m, c->point[c->npoint - 1])->xyz, o);
   return vec3_length(vec3_cross(a, b)) <= 1e-9 * vec3_length(a) * vec3_length(b);
 }
 
-static void put_curves(Writer *w, const Model *m)
+static void put_curves(Unroll *r)
 {
+  Writer *w = r->w;
+  const Model *m = r->m;
   static const char *const word[] = {"Line", "Line", "Circle", "Ellipse", "Spline", "BSpline", "Bezier", "Nurbs"};
   for (size_t i = 0; i < model_curves(m); i++) {
     const Curve *c = model_curve_at(m, i);
+    if (c->arc) {
+      put_arc(r, c);
+      continue;
+    }
     put_head(w, word[c->type], c->tag);
     put_ints(w, c->point, (size_t)c->npoint);
     if (needs_plane(m, c)) {
@@ -107,11 +213,11 @@ static void put_curves(Writer *w, const Model *m)
 
 // ---- loops, faces, volumes --------------------------------------------------------------------------------------------------
 
-static void put_loop(Writer *w, int tag, const Loop *l)
+static void put_loop(Unroll *r, int tag, const Loop *l)
 {
-  put_head(w, "Curve Loop", tag);
-  put_ints(w, l->curve, (size_t)l->ncurve);
-  writer_str(w, ";\n");
+  put_head(r->w, "Curve Loop", tag);
+  put_curve_list(r, l->curve, (size_t)l->ncurve);
+  writer_str(r->w, ";\n");
 }
 
 static bool loops_are_sorted(const Model *m, const Face *f)
@@ -126,17 +232,18 @@ static bool loops_are_sorted(const Model *m, const Face *f)
 static bool is_hidden(int loop) { return tag__abs(loop) >= HIDDEN_LOOP; }
 
 // All loops, then all faces. Hidden loops get tags beyond all others, in the order of their faces.
-static void put_faces(Writer *w, const Model *m)
+static void put_faces(Unroll *r)
 {
-  int fresh = 0;
-  for (int k = KIND_CURVE; k < KIND_COUNT; k++) fresh = MAX(fresh, model_max_tag(m, (Kind)k));
+  Writer *w = r->w;
+  const Model *m = r->m;
+  int fresh = r->next;
   for (size_t i = 0; i < model_loops(m); i++)
-    if (model_loop_at(m, i)->sorted) put_loop(w, model_loop_at(m, i)->tag, model_loop_at(m, i));
+    if (model_loop_at(m, i)->sorted) put_loop(r, model_loop_at(m, i)->tag, model_loop_at(m, i));
   int next = fresh;
   for (size_t i = 0; i < model_faces(m); i++) {
     const Face *f = model_face_at(m, i);
     for (int k = 0; loops_are_sorted(m, f) && k < f->nloop; k++)
-      if (is_hidden(f->loop[k])) put_loop(w, ++next, model_loop(m, f->loop[k]));
+      if (is_hidden(f->loop[k])) put_loop(r, ++next, model_loop(m, f->loop[k]));
   }
   IntVec loop = {0};
   next = fresh;
@@ -201,10 +308,34 @@ static void put_swept_curve(Writer *w, const Curve *c)
   }
 }
 
-static void put_curve_attributes(Writer *w, const Model *m)
+// Of a curve cut into parts: the nodes are shared out.
+static void put_part_attributes(Unroll *r, const Curve *c)
 {
+  if (!c->transfinite && !c->reverse_mesh) return;
+  int parts = 0;
+  for (size_t k = map_get(&r->part, (uint64_t)c->tag); r->tag.data[k] >= 0; k++) parts++;
+  if (c->transfinite) {
+    writer_str(r->w, "Transfinite Curve ");
+    put_curve_list(r, &c->tag, 1);
+    writer_printf(r->w, " = %d;\n", MAX(2, (c->transfinite - 1 + parts / 2) / parts + 1));
+  }
+  if (c->reverse_mesh) {
+    writer_str(r->w, "ReverseMesh Curve ");
+    put_curve_list(r, &c->tag, 1);
+    writer_str(r->w, ";\n");
+  }
+}
+
+static void put_curve_attributes(Unroll *r)
+{
+  Writer *w = r->w;
+  const Model *m = r->m;
   for (size_t i = 0; i < model_curves(m); i++) {
     const Curve *c = model_curve_at(m, i);
+    if (r->part.len && map_get(&r->part, (uint64_t)c->tag) != NONE) {
+      put_part_attributes(r, c);
+      continue;
+    }
     if (c->transfinite) put_transfinite_curve(w, c);
     put_swept_curve(w, c);
     if (c->reverse_mesh) put_list_head(w, "ReverseMesh Curve", &c->tag, 1, ";\n");
@@ -233,8 +364,10 @@ static void put_transfinite_face(Writer *w, const Face *f)
   writer_str(w, ";\n");
 }
 
-static void put_face_attributes(Writer *w, const Model *m)
+static void put_face_attributes(Unroll *r)
 {
+  Writer *w = r->w;
+  const Model *m = r->m;
   for (size_t i = 0; i < model_faces(m); i++) {
     const Face *f = model_face_at(m, i);
     bool swept = f->extruded_curve && f->layers.n && uniform(&f->layers);
@@ -264,7 +397,10 @@ static void put_face_attributes(Writer *w, const Model *m)
     for (int k = 0; k < 2; k++) {
       if (!in[k]->len) continue;
       writer_str(w, k ? "Curve " : "Point ");
-      put_ints(w, in[k]->data, in[k]->len);
+      if (k)
+        put_curve_list(r, in[k]->data, in[k]->len);
+      else
+        put_ints(w, in[k]->data, in[k]->len);
       writer_printf(w, " In Surface {%d};\n", f->tag);
     }
   }
@@ -286,8 +422,10 @@ static void put_compounds(Writer *w, const Model *m)
 
 // ---- groups -------------------------------------------------------------------------------------------------------------------
 
-static void put_groups(Writer *w, const Model *m)
+static void put_groups(Unroll *r)
 {
+  Writer *w = r->w;
+  const Model *m = r->m;
   static const char *const word[] = {"Point", "Curve", "Surface", "Volume"};
   for (size_t i = 0; i < model_groups(m); i++) {
     const Group *g = model_group_at(m, i);
@@ -301,18 +439,25 @@ static void put_groups(Writer *w, const Model *m)
     }
     writer_i64(w, g->tag);
     writer_str(w, ") = ");
-    put_ints(w, g->entity.data, g->entity.len);
+    if (g->dim == 1)
+      put_curve_list(r, g->entity.data, g->entity.len);
+    else
+      put_ints(w, g->entity.data, g->entity.len);
     writer_str(w, ";\n");
   }
 }
 
 void model_unroll(const Model *m, Writer *w)
 {
+  Unroll r = {.w = w, .m = m, .point = model_max_tag(m, KIND_POINT)};
+  for (int k = KIND_CURVE; k < KIND_COUNT; k++) r.next = MAX(r.next, model_max_tag(m, (Kind)k));
   put_points(w, m);
-  put_curves(w, m);
-  put_faces(w, m);
-  put_curve_attributes(w, m);
-  put_face_attributes(w, m);
+  put_curves(&r);
+  put_faces(&r);
+  put_curve_attributes(&r);
+  put_face_attributes(&r);
   put_compounds(w, m);
-  put_groups(w, m);
+  put_groups(&r);
+  map_free(&r.part);
+  vec_free(&r.tag);
 }

@@ -132,28 +132,6 @@ static void define_surface(Script *s, const Node *n, int tag)
 // ---- OpenCASCADE's flat shapes, made of points, lines and arcs
 // ---------------------------------------------
 
-static int add_point(Script *s, double x, double y, double z, SrcLoc loc)
-{
-  return model_add_point(s->model, -1, (Vec3){x, y, z}, 0, loc, s->diag);
-}
-
-static int add_line(Script *s, int a, int b, SrcLoc loc)
-{
-  return model_add_curve(s->model, CURVE_LINE, -1, (int[]){a, b}, 2, NULL, NULL, 0, loc, s->diag);
-}
-
-static int add_arc(Script *s, int a, int centre, int b, SrcLoc loc)
-{
-  const Vec3 up = {0, 0, 1};
-  return model_add_curve(s->model, CURVE_CIRCLE, -1, (int[]){a, centre, b}, 3, &up, NULL, 0, loc, s->diag);
-}
-
-static void add_face(Script *s, int tag, const int *curve, size_t n, SrcLoc loc)
-{
-  int loop = model_add_loop(s->model, -1, curve, n, loc, s->diag);
-  if (loop > 0) model_add_face(s->model, FACE_PLANE, tag, &loop, 1, loc, s->diag);
-}
-
 // Rectangle(n) = {x, y, z, dx, dy [, radius of the corners]}
 static void define_rectangle(Script *s, const Node *n, int tag, const DoubleVec *v)
 {
@@ -164,61 +142,19 @@ static void define_rectangle(Script *s, const Node *n, int tag, const DoubleVec 
         v->len);
     return;
   }
-  double x = v->data[0], y = v->data[1], z = v->data[2], dx = v->data[3], dy = v->data[4];
-  double r = v->len > 5 ? fabs(v->data[5]) : 0;
-  if (dx == 0 || dy == 0 || 2 * r >= fmin(fabs(dx), fabs(dy))) {
-    script__error(s, n->loc,
-                  r > 0 ? "the corners of this Rectangle are larger than its sides"
-                        : "this Rectangle has no area");
-    return;
-  }
-  if (dx < 0) x += dx, dx = -dx;
-  if (dy < 0) y += dy, dy = -dy;
-  int c[8];
-  if (r == 0) {
-    int p[4] = {add_point(s, x, y, z, n->loc), add_point(s, x + dx, y, z, n->loc),
-                add_point(s, x + dx, y + dy, z, n->loc), add_point(s, x, y + dy, z, n->loc)};
-    for (int i = 0; i < 4; i++) c[i] = add_line(s, p[i], p[(i + 1) % 4], n->loc);
-    add_face(s, tag, c, 4, n->loc);
-    return;
-  }
-  const double cx[4] = {x + dx - r, x + dx - r, x + r, x + r}, cy[4] = {y + r, y + dy - r, y + dy - r, y + r};
-  const double ux[5] = {0, 1, 0, -1, 0}, uy[5] = {-1, 0, 1, 0, -1};
-  int p[8];
-  for (int i = 0; i < 4; i++) {
-    p[2 * i] = add_point(s, cx[i] + r * ux[i], cy[i] + r * uy[i], z, n->loc);
-    p[2 * i + 1] = add_point(s, cx[i] + r * ux[i + 1], cy[i] + r * uy[i + 1], z, n->loc);
-  }
-  for (int i = 0; i < 4; i++) {
-    c[2 * i] = add_arc(s, p[2 * i], add_point(s, cx[i], cy[i], z, n->loc), p[2 * i + 1], n->loc);
-    c[2 * i + 1] = add_line(s, p[2 * i + 1], p[(2 * i + 2) % 8], n->loc);
-  }
-  add_face(s, tag, c, 8, n->loc);
+  model_add_rectangle(s->model, tag, (Vec3){v->data[0], v->data[1], v->data[2]}, v->data[3], v->data[4],
+                      v->len > 5 ? v->data[5] : 0, n->loc, s->diag);
 }
 
-// Disk(n) = {x, y, z, rx [, ry]}: four arcs; OpenCASCADE makes one closed curve.
+// Disk(n) = {x, y, z, rx [, ry]}
 static void define_disk(Script *s, const Node *n, int tag, const DoubleVec *v)
 {
   if (v->len < 4 || v->len > 5) {
     script__error(s, n->loc, "a Disk needs {x, y, z, rx} and perhaps ry; %zu numbers given", v->len);
     return;
   }
-  double x = v->data[0], y = v->data[1], z = v->data[2], rx = v->data[3], ry = v->len > 4 ? v->data[4] : rx;
-  if (!(rx > 0 && ry > 0)) {
-    script__error(s, n->loc, "the radius of a Disk must be positive");
-    return;
-  }
-  int p[4] = {add_point(s, x + rx, y, z, n->loc), add_point(s, x, y + ry, z, n->loc),
-              add_point(s, x - rx, y, z, n->loc), add_point(s, x, y - ry, z, n->loc)};
-  int centre = add_point(s, x, y, z, n->loc), c[4];
-  for (int i = 0; i < 4; i++) {
-    int a = p[i], b = p[(i + 1) % 4];
-    c[i] = rx == ry
-               ? add_arc(s, a, centre, b, n->loc)
-               : model_add_curve(s->model, CURVE_ELLIPSE, -1, (int[]){a, centre, rx > ry ? p[0] : p[1], b}, 4,
-                                 NULL, NULL, 0, n->loc, s->diag);
-  }
-  add_face(s, tag, c, 4, n->loc);
+  model_add_disk(s->model, tag, (Vec3){v->data[0], v->data[1], v->data[2]}, v->data[3], v->len > 4 ? v->data[4] : v->data[3],
+                 n->loc, s->diag);
 }
 
 static void define_flat(Script *s, const Node *n, int tag)
@@ -239,13 +175,23 @@ static void define_flat(Script *s, const Node *n, int tag)
   script__give(s, v);
 }
 
-// Circle(n) = {x, y, z, r [, from, to]} and Ellipse(n) = {x, y, z, rx, ry [, from, to]} of OpenCASCADE. An
-// arc of pi or more is not one curve here, so only shorter ones can be made.
-static void refuse_centred_arc(Script *s, const Node *n)
+// Circle(n) = {x, y, z, r [, from, to]} and Ellipse(n) = {x, y, z, rx, ry [, from, to]} of OpenCASCADE.
+static void define_centred_arc(Script *s, const Node *n, int tag)
 {
-  script__error(s, n->loc,
-                "%s by centre and radius needs the OpenCASCADE kernel; make it of arcs {start, centre, end}",
-                words_text(&s->words, n->word));
+  int faults = s->faults;
+  DoubleVec *v = script__take(s);
+  eval_list(s, n->kid[1], v);
+  size_t radii = n->word == KW_Circle ? 1 : 2;
+  if (s->faults == faults && v->len != 3 + radii && v->len != 5 + radii) {
+    script__error(s, n->loc, "%s needs {x, y, z, %s} and perhaps two angles; %zu numbers given", words_text(&s->words, n->word),
+                  radii == 1 ? "r" : "rx, ry", v->len);
+  } else if (s->faults == faults) {
+    const double *x = v->data;
+    bool angles = v->len > 3 + radii;
+    model_add_arc(s->model, tag, (Vec3){x[0], x[1], x[2]}, x[3], x[2 + radii], angles ? x[3 + radii] : 0,
+                  angles ? x[4 + radii] : 2 * 3.14159265358979323846, n->loc, s->diag);
+  }
+  script__give(s, v);
 }
 
 void run_define(Script *s, const Node *n)
@@ -259,7 +205,7 @@ void run_define(Script *s, const Node *n)
   case KW_Ellipse: {
     uint32_t given = n->kid[1]->kind == NODE_LIST ? n->kid[1]->n : 0;
     if (model_settings(s->model)->opencascade && (n->word == KW_Circle ? given >= 4 : given >= 5)) {
-      refuse_centred_arc(s, n);
+      define_centred_arc(s, n, tag);
       return;
     }
     define_curve(s, n, tag);

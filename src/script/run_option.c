@@ -88,7 +88,7 @@ void script__sync_settings(Script *s)
   const Options *o = s->options;
   m->tolerance = o->Geometry_Tolerance;
   m->auto_coherence = o->Geometry_AutoCoherence;
-  m->old_newreg = o->Geometry_OldNewReg && !m->opencascade;
+  m->old_newreg = o->Geometry_OldNewReg;
   m->copy_meshing = o->Geometry_CopyMeshingMethod;
   m->return_lateral = o->Geometry_ExtrudeReturnLateralEntities;
   m->spline_points = o->Geometry_ExtrudeSplinePoints;

@@ -735,6 +735,54 @@ static void split_and_compound(void **state)
   teardown(&f);
 }
 
+// OpenCASCADE's plane shapes: tags as Gmsh 4.8.4 gives them.
+static void plane_shapes(void **state)
+{
+  (void)state;
+  Fix f = setup();
+  Model *m = f.m;
+  model_settings(m)->opencascade = true;
+  point(&f, 1, 0, 0, 0);
+  assert_int_equal(model_add_rectangle(m, 1, (Vec3){0, 0, 0}, 2, 1, 0, NO_LOC, f.d), 1);
+  expect_news(m, 6, 5);
+  assert_int_equal(model_add_disk(m, 2, (Vec3){5, 0, 0}, 1, 1, NO_LOC, f.d), 2);
+  expect_news(m, 7, 6);
+  assert_int_equal(model_add_disk(m, 3, (Vec3){9, 0, 0}, 2, 1, NO_LOC, f.d), 3);
+  model_add_arc(m, 20, (Vec3){0, 5, 0}, 1, 1, 0, 2 * PI, NO_LOC, f.d);
+  model_add_arc(m, 21, (Vec3){0, 9, 0}, 1, 1, 0, PI / 2, NO_LOC, f.d);
+  model_add_arc(m, 22, (Vec3){0, 13, 0}, 1, 1, 0, 2 * PI, NO_LOC, f.d);
+  model_add_arc(m, 23, (Vec3){0, 13, 0}, 1, 1, PI / 4, 3 * PI / 2, NO_LOC, f.d);
+  model_add_arc(m, 24, (Vec3){0, 19, 0}, 2, 1, 0, 2 * PI, NO_LOC, f.d);
+  model_add_arc(m, 25, (Vec3){0, 24, 0}, 2, 1, PI / 4, PI, NO_LOC, f.d);
+  expect_news(m, 17, 26);
+  assert_int_equal(model_add_rectangle(m, 9, (Vec3){20, 0, 0}, 2, 1, .2, NO_LOC, f.d), 9);
+  expect_news(m, 25, 34);
+  EXPECT_BOUNDARY(m, 9, 26, 27, 28, 29, 30, 31, 32, 33);
+  LOOP(&f, 7, 20);
+  FACE(&f, FACE_PLANE, 10, 7);
+  ShapeVec copy = {0};
+  Shape s[] = {{2, 1}, {2, 3}};
+  assert_true(model_duplicate(m, s, 1, &copy, NO_LOC, f.d));
+  assert_int_equal(copy.data[0].tag, 11);
+  expect_news(m, 29, 38);
+  vec_clear(&copy);
+  assert_true(model_duplicate(m, s + 1, 1, &copy, NO_LOC, f.d));
+  Affine a = affine_rotation((Vec3){1, 0, 0}, (Vec3){9, 0, 0}, PI / 2), b = affine_dilation((Vec3){9, 0, 0}, (Vec3){1, 1, 2});
+  assert_true(model_transform(m, copy.data, 1, &a, NO_LOC, f.d) && model_transform(m, copy.data, 1, &b, NO_LOC, f.d));
+  assert_true(model_prepare(m, 1e-8, f.d));
+  const Curve *disk = model_curve(m, 5), *oval = model_curve(m, 38);
+  assert_true(fabs(curve_length(m, disk) - 2 * PI) < 1e-14 && fabs(curve_angle(m, disk) - 2 * PI) < 1e-15);
+  assert_true(fabs(curve_length(m, oval) - 4 * PI) < 1e-13); // a circle of radius 2 now
+  assert_true(fabs(curve_curvature(m, oval, .3) - .5) < 1e-13);
+  assert_true(vec3_distance(curve_point(m, oval, .25), (Vec3){9, 0, 2}) < 1e-14);
+  Box3 box = curve_bounds(m, model_curve(m, 23));
+  assert_true(fabs(box.lo.x + 1) < 1e-15 && fabs(box.hi.x - sqrt(.5)) < 1e-15 && fabs(box.lo.y - 12) < 1e-15 && fabs(box.hi.y - 14) < 1e-15);
+  assert_true(fabs(curve_nearest(m, disk, (Vec3){5, -3, 0}) - .75) < 1e-15);
+  assert_int_equal(diag_count(f.d), 0);
+  vec_free(&copy);
+  teardown(&f);
+}
+
 static void boxes(void **state)
 {
   (void)state;
@@ -784,6 +832,7 @@ int main(void)
     cmocka_unit_test(half_circle_follows),
     cmocka_unit_test(split_and_compound),
     cmocka_unit_test(boxes),
+    cmocka_unit_test(plane_shapes),
   };
   return unit_run(tests);
 }
