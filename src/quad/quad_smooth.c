@@ -76,7 +76,7 @@ void quad__stars_free(QuadStars *s)
 // ---- moving one vertex
 
 // Better: the worst improves, or stays (or remains above GOOD) while the energy falls.
-static const double GOOD = 0.75, LEAST_GAIN = 1e-9;
+static const double GOOD = 0.6, LEAST_GAIN = 1e-9;
 
 static bool better(QuadScore a, QuadScore b)
 {
@@ -158,7 +158,7 @@ static int worse_first(const void *a, const void *b)
   return p->element < q->element ? -1 : p->element > q->element;
 }
 
-enum { MAX_STAR = 32, WORST_STEPS = 8 };
+enum { MAX_STAR = 32, WORST_STEPS = 6 };
 
 // The corners of bad elements, worst element first, with a longer search.
 static void improve_worst(QuadMesh *m, const QuadStars *s, double below)
@@ -190,7 +190,7 @@ void quad_smooth(QuadMesh *m, int passes)
       if (m->fixed.data[v] || (pass > 0 && still[v])) continue;
       still[v] = 1;
       size_t n = collect_star(m, &s, v, corner, MAX_STAR);
-      if (n && quad__improve(m->xy.data, v, corner, n, pass == 0))
+      if (n && quad__improve(m->xy.data, v, corner, n, 2))
         for (size_t i = 0; i < 4 * n; i++)
           if (corner[i] != NONE) still[corner[i]] = 0;
     }

@@ -1,0 +1,255 @@
+// test_blossom.cc - matching: certificates, brute force on small graphs, LEMON on random and mesh graphs
+// SPDX-License-Identifier: MIT
+#include "base/base.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <lemon/matching.h>
+#include <lemon/smart_graph.h>
+
+#include "unit.h"
+
+extern "C" {
+#include "base/rng.h"
+#include "geom/quality_quad.h"
+#include "quad/blossom.h"
+#include "quad/quad_mesh.h"
+#include "quad_meshes.h"
+}
+
+namespace {
+
+struct Graph {
+  uint32_t n = 0;
+  std::vector<uint32_t> edge;
+  std::vector<int32_t> cost;
+  void add(uint32_t u, uint32_t v, int32_t c)
+  {
+    edge.push_back(u);
+    edge.push_back(v);
+    cost.push_back(c);
+  }
+  BlossomGraph view() const { return {n, (uint32_t)cost.size(), edge.data(), cost.data()}; }
+};
+
+Graph random_graph(Rng *r, uint32_t n, uint32_t m, int32_t range)
+{
+  Graph g;
+  g.n = n;
+  for (uint32_t i = 0; i < m; i++)
+    g.add(rng_below(r, n), rng_below(r, n), (int32_t)rng_below(r, 2 * (uint32_t)range + 1) - range);
+  return g;
+}
+
+// A cycle through all vertices makes a perfect matching certain when n is even.
+void add_cycle(Graph *g, Rng *r, int32_t range)
+{
+  for (uint32_t v = 0; v < g->n; v++) g->add(v, (v + 1) % g->n, (int32_t)rng_below(r, (uint32_t)range + 1));
+}
+
+// Largest cardinality and, for it, least cost, over sets of vertices.
+void brute(const Graph &g, uint32_t *matched, int64_t *cost)
+{
+  const int64_t no = INT64_MAX;
+  std::vector<int64_t> best((size_t)1 << g.n, no);
+  best[0] = 0;
+  *matched = 0, *cost = 0;
+  for (size_t set = 0; set < best.size(); set++) {
+    if (best[set] == no) continue;
+    uint32_t k = (uint32_t)__builtin_popcountll(set);
+    if (k > *matched || (k == *matched && best[set] < *cost)) *matched = k, *cost = best[set];
+    for (size_t e = 0; e < g.cost.size(); e++) {
+      size_t bits = ((size_t)1 << g.edge[2 * e]) | ((size_t)1 << g.edge[2 * e + 1]);
+      if (g.edge[2 * e] == g.edge[2 * e + 1] || (set & bits)) continue;
+      best[set | bits] = std::min(best[set | bits], best[set] + g.cost[e]);
+    }
+  }
+}
+
+void expect_certified(const Graph &g, const BlossomResult *r)
+{
+  BlossomGraph v = g.view();
+  uint32_t where = 0;
+  BlossomVerdict verdict = blossom_check(&v, r, &where);
+  if (verdict != BLOSSOM_OK) fail_msg("n=%u: %s at %u", g.n, blossom_verdict_text(verdict), where);
+}
+
+void test_brute_force(void **)
+{
+  Rng rng = {7};
+  for (int k = 0; k < 3000; k++) {
+    uint32_t n = 1 + rng_below(&rng, 12), m = rng_below(&rng, 3 * n + 1);
+    int32_t range = k % 3 == 0 ? 2 : k % 3 == 1 ? 20 : 100000;
+    Graph g = random_graph(&rng, n, m, range);
+    BlossomGraph v = g.view();
+    BlossomResult *r = blossom_solve(&v);
+    expect_certified(g, r);
+    uint32_t matched;
+    int64_t cost;
+    brute(g, &matched, &cost);
+    assert_int_equal(r->unmatched, n - matched);
+    if (r->unmatched == 0) assert_int_equal(r->cost, cost);
+    else assert_non_null(r->barrier);
+    blossom_free(r);
+  }
+}
+
+int64_t lemon_cost(const Graph &g)
+{
+  lemon::SmartGraph lg;
+  std::vector<lemon::SmartGraph::Node> node;
+  for (uint32_t i = 0; i < g.n; i++) node.push_back(lg.addNode());
+  lemon::SmartGraph::EdgeMap<int64_t> weight(lg);
+  for (size_t e = 0; e < g.cost.size(); e++)
+    if (g.edge[2 * e] != g.edge[2 * e + 1])
+      weight[lg.addEdge(node[g.edge[2 * e]], node[g.edge[2 * e + 1]])] = -(int64_t)g.cost[e];
+  lemon::MaxWeightedPerfectMatching<lemon::SmartGraph, lemon::SmartGraph::EdgeMap<int64_t>> solver(lg, weight);
+  return solver.run() ? -solver.matchingWeight() : INT64_MIN;
+}
+
+void expect_lemon(const Graph &g)
+{
+  BlossomGraph v = g.view();
+  BlossomResult *r = blossom_solve(&v);
+  expect_certified(g, r);
+  assert_int_equal(r->unmatched, 0);
+  assert_true(r->cost == lemon_cost(g));
+  blossom_free(r);
+}
+
+// With few different costs there are many ties and blossoms within blossoms.
+void test_random_against_lemon(void **)
+{
+  Rng rng = {11};
+  for (int k = 0; k < 120; k++) {
+    uint32_t n = 2 * (5 + rng_below(&rng, k % 10 == 0 ? 500 : 60));
+    int32_t range = k % 4 == 0 ? 1 : k % 4 == 1 ? 5 : 10000;
+    Graph g = random_graph(&rng, n, n * (1 + rng_below(&rng, 4)), range);
+    add_cycle(&g, &rng, range);
+    expect_lemon(g);
+  }
+}
+
+// The dual graph of a lattice of triangles, with costs as recombination has them and extra edges along the boundary.
+Graph mesh_graph(uint32_t rows, double jitter, double grade, uint64_t seed)
+{
+  LatticeMesh lm = lattice_mesh(rows, jitter, grade, seed);
+  QuadMesh m;
+  quad_mesh_init(&m, lm.xy.data, NULL, lm.xy.len / 2, lm.tri.data, lm.tri.len / 3, NULL, 0);
+  uint32_t *twin = quad_mesh_twins(&m);
+  const uint32_t *v = m.vertex.data;
+  const Vec2 *p = m.xy.data;
+  Graph g;
+  g.n = (uint32_t)quad_mesh_elements(&m);
+  uint32_t last = NONE;
+  for (uint32_t s = 0; s < m.vertex.len; s++) {
+    uint32_t t = twin[s], e = s / 4, f = t / 4;
+    if (s % 4 == 3) continue;
+    if (t == NONE) {
+      if (last != NONE && last != e) g.add(last, e, 1000000);
+      last = e;
+      continue;
+    }
+    if (t < s) continue;
+    double eta = quad_eta(p[v[s]], p[v[4 * f + (t % 4 + 2) % 3]], p[v[4 * e + (s % 4 + 1) % 3]], p[v[4 * e + (s % 4 + 2) % 3]]);
+    g.add(e, f, (int32_t)std::lround(10000 * (1 - eta)));
+  }
+  free(twin);
+  quad_mesh_free(&m);
+  lattice_free(&lm);
+  if (g.n % 2) g.add(0, g.n++, 0);
+  return g;
+}
+
+void test_meshes_against_lemon(void **)
+{
+  for (uint32_t k = 0; k < 24; k++) expect_lemon(mesh_graph(4 + 2 * k, 0.002 * (k % 5), k % 3 == 2 ? 0.5 : 0, k));
+}
+
+void test_large_mesh_is_certified(void **)
+{
+  Graph g = mesh_graph(100, 0.001, 0, 3);
+  BlossomGraph v = g.view();
+  BlossomResult *r = blossom_solve(&v);
+  expect_certified(g, r);
+  assert_int_equal(r->unmatched, 0);
+  BlossomResult *again = blossom_solve(&v);
+  assert_memory_equal(r->mate, again->mate, g.n * sizeof *r->mate);
+  assert_memory_equal(r->y, again->y, g.n * sizeof *r->y);
+  blossom_free(r);
+  blossom_free(again);
+}
+
+// Odd components hung on few vertices: as many unmatched as the barrier says.
+void test_barrier(void **)
+{
+  Graph star;
+  star.n = 9;
+  for (uint32_t v = 1; v < 9; v++) star.add(0, v, (int32_t)v);
+  Graph triangles; // three triangles at one vertex
+  triangles.n = 10;
+  for (uint32_t k = 0; k < 3; k++) {
+    uint32_t a = 1 + 3 * k;
+    triangles.add(a, a + 1, 1), triangles.add(a + 1, a + 2, 1), triangles.add(a, a + 2, 1), triangles.add(0, a, 5);
+  }
+  const Graph *all[2] = {&star, &triangles};
+  const uint32_t unmatched[2] = {7, 2};
+  for (int k = 0; k < 2; k++) {
+    BlossomGraph v = all[k]->view();
+    BlossomResult *r = blossom_solve(&v);
+    assert_int_equal(r->unmatched, unmatched[k]);
+    expect_certified(*all[k], r);
+    blossom_free(r);
+  }
+}
+
+// The checker notices every kind of lie.
+void test_check_refuses(void **)
+{
+  Graph g = mesh_graph(12, 0.01, 0, 5);
+  BlossomGraph v = g.view();
+  BlossomResult *r = blossom_solve(&v);
+  expect_certified(g, r);
+  r->cost++;
+  assert_int_equal(blossom_check(&v, r, NULL), BLOSSOM_BAD_MATE);
+  r->cost--;
+  r->y[3] += r->scale;
+  assert_int_not_equal(blossom_check(&v, r, NULL), BLOSSOM_OK);
+  r->y[3] -= 2 * r->scale;
+  assert_int_equal(blossom_check(&v, r, NULL), BLOSSOM_LOOSE_MATCH);
+  r->y[3] += r->scale;
+  uint32_t w = r->mate[0];
+  r->mate[0] = (w + 1) % g.n;
+  assert_int_equal(blossom_check(&v, r, NULL), BLOSSOM_BAD_MATE);
+  r->mate[0] = w;
+  if (r->nblossom) {
+    r->z[0] = -1;
+    assert_int_equal(blossom_check(&v, r, NULL), BLOSSOM_NEGATIVE_Z);
+  }
+  blossom_free(r);
+}
+
+void test_empty(void **)
+{
+  Graph g;
+  BlossomGraph v = g.view();
+  BlossomResult *r = blossom_solve(&v);
+  assert_int_equal(r->unmatched, 0);
+  expect_certified(g, r);
+  blossom_free(r);
+}
+
+} // namespace
+
+int main(void)
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(test_brute_force),          cmocka_unit_test(test_random_against_lemon),
+      cmocka_unit_test(test_meshes_against_lemon), cmocka_unit_test(test_large_mesh_is_certified),
+      cmocka_unit_test(test_barrier),              cmocka_unit_test(test_check_refuses),
+      cmocka_unit_test(test_empty),
+  };
+  return unit_run(tests);
+}
