@@ -51,6 +51,7 @@ typedef struct {
   double angle;         // degrees; greedy merges no pair with a corner that differs more from a right angle. Default 45
   int cleanup;          // rounds of topological clean-up, 0: none
   int smoothing;        // passes of smoothing, 0: none
+  double min_eta;       // quads worse than this at the end, and any that is not convex, are cut into two triangles
   // Where the middle of the boundary or locked edge ab (as numbered in `from`) is on the geometry; the full-quad variants ask
   // it for each such edge. NULL, or false returned: halfway.
   bool (*middle)(void *ctx, uint32_t a, uint32_t b, Vec2 *p);
@@ -65,6 +66,7 @@ typedef struct {
   int64_t matching_cost;
   size_t removed;           // vertices removed by the clean-up
   size_t flips, collapses, doublets;
+  size_t cut;               // bad quads cut into triangles again
 } QuadReport;
 
 // Greedy 45 degrees, Blossom, clean-up and smoothing on.
@@ -80,6 +82,7 @@ void quad_match_greedy(QuadMesh *m, double angle);
 void quad_match_blossom(QuadMesh *m, QuadReport *report);
 void quad_repair(QuadMesh *m, QuadReport *report);   // bring leftover triangles of one part together in pairs
 void quad_split_all(QuadMesh *m, const QuadParams *p);
+size_t quad_cut_bad(QuadMesh *m, double min_eta);    // returns how many quads were cut
 void quad_clean(QuadMesh *m, int rounds, QuadReport *report);
 void quad_smooth(QuadMesh *m, int passes);
 

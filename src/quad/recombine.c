@@ -13,7 +13,7 @@ enum { COST_UNIT = 1 << 14, COST_EXTRA = 1 << 20, COST_ODD = 1 << 21 };
 
 QuadParams quad_params_default(void)
 {
-  return (QuadParams){.algorithm = QUAD_BLOSSOM, .angle = 45, .cleanup = 10, .smoothing = 10};
+  return (QuadParams){.algorithm = QUAD_BLOSSOM, .angle = 45, .cleanup = 10, .smoothing = 10, .min_eta = 0.01};
 }
 
 static void merge(QuadMesh *m, uint32_t s, uint32_t t)
@@ -262,6 +262,30 @@ void quad_split_all(QuadMesh *m, const QuadParams *p)
   free(locked);
 }
 
+// Cut along the diagonal whose worse triangle is the better one; a quad that no diagonal cuts into two positive triangles stays.
+size_t quad_cut_bad(QuadMesh *m, double min_eta)
+{
+  size_t ne = quad_mesh_elements(m), cut = 0;
+  for (size_t e = 0; e < ne; e++) {
+    uint32_t v[4], best = NONE;
+    double score = 0;
+    for (int i = 0; i < 4; i++) v[i] = m->vertex.data[4 * e + (size_t)i];
+    if (v[3] == NONE || (quad__convex(m->xy.data, v) && quad__eta(m, v) >= min_eta)) continue;
+    for (uint32_t k = 0; k < 2; k++) {
+      uint32_t a[4] = {v[k], v[k + 1], v[k + 2], NONE}, b[4] = {v[k], v[k + 2], v[(k + 3) % 4], NONE};
+      if (!quad__convex(m->xy.data, a) || !quad__convex(m->xy.data, b)) continue;
+      double worse = 2 + fmin(quad__shape(m->xy.data, a), quad__shape(m->xy.data, b));
+      if (worse > score) best = k, score = worse;
+    }
+    if (best == NONE) continue;
+    uint32_t a[4] = {v[best], v[best + 1], v[best + 2], NONE}, b[4] = {v[best], v[best + 2], v[(best + 3) % 4], NONE};
+    for (size_t i = 0; i < 4; i++) m->vertex.data[4 * e + i] = a[i];
+    for (size_t i = 0; i < 4; i++) vec_push(&m->vertex, b[i]);
+    cut++;
+  }
+  return cut;
+}
+
 // ---- all together
 
 void quad_recombine(QuadMesh *m, const QuadParams *p, QuadReport *report)
@@ -282,6 +306,7 @@ void quad_recombine(QuadMesh *m, const QuadParams *p, QuadReport *report)
   bool split = p->algorithm == QUAD_FULL_GREEDY || p->algorithm == QUAD_FULL_BLOSSOM || p->algorithm == QUAD_SPLIT;
   if (p->cleanup) quad_clean(m, p->cleanup, report);
   if (p->smoothing) quad_smooth(m, p->smoothing);
+  report->cut = quad_cut_bad(m, split ? 0 : p->min_eta);
   if (split) {
     quad_split_all(m, p);
     if (p->cleanup) quad_clean(m, p->cleanup, report);
