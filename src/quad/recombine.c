@@ -311,6 +311,7 @@ void quad_recombine(QuadMesh *m, const QuadParams *p, QuadReport *report)
     quad_split_all(m, p);
     if (p->cleanup) quad_clean(m, p->cleanup, report);
     if (p->smoothing) quad_smooth(m, p->smoothing);
+    report->cut += quad_cut_bad(m, 0);
   }
   report->triangles = quad_mesh_triangles(m);
   report->quads = quad_mesh_elements(m) - report->triangles;
