@@ -115,6 +115,8 @@ Flow run_statement(Script *s, const Node *n);
 Flow run_block(Script *s, const Node *block);
 Flow run_call(Script *s, const Node *n);
 ScriptEnd run_file(Script *s, const char *path, SrcLoc from);
+// Run a text that belongs to the script from now on.
+ScriptEnd run_source(Script *s, const char *name, char *text, size_t len, SrcLoc from);
 void run_assign(Script *s, const Node *n);
 void run_constants(Script *s, const Node *n);
 void run_option(Script *s, const Node *n);

@@ -36,6 +36,8 @@ Node *parse__list(Parser *p);          // a list, or a number taken as a list of
 Node *parse__list_value(Parser *p);    // the right side of an assignment
 Node *parse__list_or_all(Parser *p);   // also {:} and a string "*"
 Node *parse__braced_numbers(Parser *p, const char *what);
+Node *parse__primary(Parser *p);       // a value without operators around it
+Node *parse__braces(Parser *p, bool all); // {a, b, ...}; {:} too if `all`
 Node *parse__name(Parser *p);          // identifier, name~{..}, StringToName[..]
 Node *parse__command(Parser *p);       // Translate.. Extrude.. Boundary.. or NULL if none begins here
 Node *parse__shapes(Parser *p);        // { Point{..}; ... }
@@ -44,6 +46,26 @@ Node *parse__statement(Parser *p);     // one statement with its ';'; fails thro
 Node *parse__block_statement(Parser *p); // For, If or Macro, the next token
 Node *parse__define_constant(Parser *p);
 Node *parse__view(Parser *p, SrcLoc loc);
+Node *parse__unsupported(Parser *p, Token t, const char *why); // the rest of a statement that begins with t
+Node *parse__word_node(Parser *p, NodeKind kind, SrcLoc loc, uint32_t word, size_t base); // collect, with a word
+void parse__push(Parser *p, Node *n);
+Node *parse__tag(Parser *p); // "(" number ")"
+Node *parse__definition(Parser *p, Token kind, uint32_t word, int op);
+Node *parse__entity(Parser *p);
+Node *parse__physical(Parser *p);
+Node *parse__surface_of_kind(Parser *p, Token t);
+Node *parse__compound(Parser *p);
+Node *parse__delete(Parser *p, bool recursive);
+Node *parse__visibility(Parser *p);
+Node *parse__coherence(Parser *p);
+Node *parse__set_max_tag(Parser *p);
+Node *parse__transfinite(Parser *p);
+Node *parse__mesh_set(Parser *p);
+Node *parse__mesh_size(Parser *p);
+Node *parse__periodic(Parser *p);
+Node *parse__field(Parser *p);
+Node *parse__plugin(Parser *p);
+Node *parse__background(Parser *p);
 bool parse__ends_block(const Parser *p);
 void parse__semicolon(Parser *p);      // the end of a statement
 void parse__superfluous_semicolon(Parser *p); // a ';' after something that needs none: a warning

@@ -18,7 +18,7 @@ END
   awk '/^\/\/ [a-z_]+ -> / { print substr($0, 4); on = 1; next }
        on && /^\/\/    /    { print substr($0, 4); next }
                             { on = 0 }' \
-    src/script/parse_stmt.c src/script/parse.c src/script/parse_shape.c src/script/parse_expr.c
+    src/script/parse_{stmt,entity,mesh,constant}.c src/script/parse.c src/script/parse_{shape,value,expr}.c
   echo '```'
 }
 if [ "${1:-}" = --write ]; then

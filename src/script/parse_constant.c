@@ -1,0 +1,101 @@
+// parse_constant.c - DefineConstant and the attributes of parameters
+// SPDX-License-Identifier: MIT
+#include "base/base.h"
+
+#include "script/parse_int.h"
+
+// ---- parameters ---------------------------------------------
+
+// After the value: ["," ATTRIBUTE (number | text | "{" .. "}")]... close. Only Name and ReadOnly are kept.
+Node *parse__parameter_tail(Parser *p, Node *value, NodeKind kind, Node *target, SrcLoc loc, int close)
+{
+  Node *name = NULL, *read_only = NULL;
+  while (p->tok.kind != close && !(close == ']' && parse__at(p, ')'))) {
+    parse__expect(p, ',', close == '}' ? "',' or '}'" : "',' or ']'");
+    if (p->tok.kind != TOK_WORD) parse__expected(p, "an attribute such as Name or Min");
+    Token key = parse__advance(p);
+    if (parse__at(p, '{')) { // Choices{1="one", 2}, GmshOption.. : any balanced text
+      int depth = 0;
+      do {
+        if (p->tok.kind == TOK_END) parse__expected(p, "'}'");
+        if (parse__at(p, '{')) depth++;
+        if (parse__at(p, '}')) depth--;
+        parse__advance(p);
+      } while (depth > 0);
+      continue;
+    }
+    Node *v = parse__expr(p);
+    if (key.len == 4 && !memcmp(key.start, "Name", 4)) name = v;
+    if (key.len == 8 && !memcmp(key.start, "ReadOnly", 8)) read_only = v;
+  }
+  parse__advance(p);
+  size_t base = p->stack.len;
+  if (kind == NODE_CONSTANT_ITEM) parse__push(p, target);
+  parse__push(p, value);
+  parse__push(p, name);
+  parse__push(p, read_only);
+  return parse__collect(p, kind, loc, base);
+}
+
+// constant -> name ["[" "]"] ["=" (expr | "{" expr ["," ATTRIBUTE value]... "}")]
+static Node *parse_constant_item(Parser *p)
+{
+  Token t = p->tok;
+  Node *target = parse__name(p), *value = NULL, *n;
+  bool list = parse__at(p, '[') || parse__at(p, '(');
+  if (list) {
+    parse__advance(p);
+    if (!parse__accept(p, ']')) parse__expect(p, ')', "']'");
+  }
+  bool braced = parse__accept(p, '=') && parse__at(p, '{');
+  bool nested = braced && parse__peek(p).kind == '{';
+  if (braced && (nested || !list)) {
+    parse__advance(p);
+    parse__open(p);
+    Token first = p->tok;
+    if (!parse__at(p, '}')) value = parse__expr(p);
+    if (!nested && !list && parse__at(p, ',')) { // {1, 2}: a list without attributes, {1, Name ".."}: with
+      size_t base = p->stack.len;
+      parse__push(p, value);
+      while (parse__at(p, ',') && parse__peek(p).kind != TOK_WORD) {
+        parse__advance(p);
+        parse__push(p, parse__expr(p));
+      }
+      if (p->stack.len > base + 1) {
+        value = parse__collect(p, NODE_LIST, first.loc, base);
+        value->flags = NODE_IS_LIST;
+      } else {
+        p->stack.len = base;
+      }
+    }
+    n = parse__parameter_tail(p, value, NODE_CONSTANT_ITEM, target, t.loc, '}');
+    parse__close(p);
+  } else {
+    if (p->tok.kind != ',' && p->tok.kind != ']' && p->tok.kind != ')' &&
+        (braced || p->tok.kind != TOK_WORD || p->last_end.line == p->tok.loc.line))
+      value = parse__expr(p);
+    size_t base = p->stack.len;
+    parse__push(p, target);
+    parse__push(p, value);
+    parse__push(p, NULL);
+    parse__push(p, NULL);
+    n = parse__collect(p, NODE_CONSTANT_ITEM, t.loc, base);
+  }
+  n->op = list;
+  return n;
+}
+
+// define_constant -> "DefineConstant" "[" constant [","]... "]" ";"
+Node *parse__define_constant(Parser *p)
+{
+  Token t = parse__advance(p);
+  if (!parse__accept(p, '[')) parse__expect(p, '(', "'['");
+  size_t base = p->stack.len;
+  while (!parse__at(p, ']') && !parse__at(p, ')')) {
+    parse__push(p, parse_constant_item(p));
+    while (parse__accept(p, ',')) continue;
+  }
+  parse__advance(p);
+  parse__semicolon(p);
+  return parse__collect(p, NODE_CONSTANTS, t.loc, base);
+}
