@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Elements are listed by shape (points, lines, triangles, quadrangles) and within it by entity. An element of k physical
-// groups is written k times under k numbers, and reversed where its entity is in the group with a minus sign.
+// groups is written k times under k numbers, and reversed where its entity is in the group with a minus sign. When all is saved
+// regardless of groups (Mesh.SaveAll), every element is written once, with physical tag 0, as Gmsh does.
 #include "base/base.h"
 
 #include <inttypes.h>
@@ -14,6 +15,7 @@ typedef struct {
   const MeshBlock *block;
   const MeshEntity *entity;
   int copies;                      // how often each element is written
+  bool grouped;                    // physical tags are written
   uint8_t reversed[ELEM_MAX_NODES];
   int nodes;
 } Run;
@@ -22,7 +24,8 @@ static Run run_of(const Selection *s, uint32_t b)
 {
   Run r = {.block = &s->mesh->block[b]};
   r.entity = &s->mesh->entity[r.block->entity];
-  r.copies = MAX(1, (int)r.entity->physical.len);
+  r.grouped = s->grouped && r.entity->physical.len > 0;
+  r.copies = r.grouped ? (int)r.entity->physical.len : 1;
   r.nodes = elem_symmetry(r.block->type, 0, true, r.reversed);
   return r;
 }
@@ -46,7 +49,7 @@ typedef struct {
 
 static int physical_of(const Run *r, int copy)
 {
-  return r->entity->physical.len ? r->entity->physical.data[copy] : 0;
+  return r->grouped ? r->entity->physical.data[copy] : 0;
 }
 
 static void count_run(void *ctx, const Run *r) { *(size_t *)ctx += r->block->n * (size_t)r->copies; }
