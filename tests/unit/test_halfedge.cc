@@ -1,0 +1,173 @@
+// test_halfedge.cc - OpenMesh as the oracle: manifold surfaces, boundary loops, Euler characteristic, and its own readers
+// SPDX-License-Identifier: MIT
+// OpenMesh has names that are macros of base/base.h, so it comes first.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+#include <OpenMesh/Core/IO/MeshIO.hh>
+#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/System/omstream.hh>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+extern "C" {
+#include "unit.h"
+
+#include "base/file.h"
+#include "mesh/mesh_check.h"
+#include "mesh/mesh_edges.h"
+#include "out/formats.h"
+}
+
+#include <cmath>
+#include <unistd.h>
+
+typedef OpenMesh::PolyMesh_ArrayKernelT<> HalfEdgeMesh;
+
+namespace {
+
+// A wavy square of 2 n^2 triangles, of which `holes` inner ones are left out.
+Mesh *square_with_holes(size_t n, size_t holes)
+{
+  Mesh *m = mesh_new();
+  uint32_t face = mesh_add_entity(m, 2, 1);
+  for (size_t j = 0; j <= n; j++)
+    for (size_t i = 0; i <= n; i++) {
+      Vec3 p = {static_cast<double>(i), static_cast<double>(j) + 0.3 * std::sin(static_cast<double>(i)), 0};
+      mesh_add_node(m, p, face, NAN);
+    }
+  std::vector<uint32_t> v;
+  for (size_t j = 0; j < n; j++)
+    for (size_t i = 0; i < n; i++) {
+      uint32_t a = static_cast<uint32_t>(j * (n + 1) + i), b = a + 1, d = a + static_cast<uint32_t>(n) + 1, c = d + 1;
+      bool hole = i % 3 == 1 && j % 3 == 1 && holes > 0 && holes--;
+      for (uint32_t k : {a, b, c}) v.push_back(k);
+      if (!hole)
+        for (uint32_t k : {a, c, d}) v.push_back(k);
+    }
+  uint32_t block = mesh_add_block(m, face, ELEM_TRI3, v.size() / 3);
+  std::copy(v.begin(), v.end(), m->block[block].node);
+  return m;
+}
+
+// Load into half-edges; false if a face cannot be added because the surface is not manifold there.
+bool load(HalfEdgeMesh &h, const Mesh *m)
+{
+  for (size_t i = 0; i < m->nnode; i++)
+    h.add_vertex(OpenMesh::Vec3f(static_cast<float>(m->xyz[3 * i]), static_cast<float>(m->xyz[3 * i + 1]), 0));
+  for (size_t b = 0; b < m->nblock; b++) {
+    const size_t n = static_cast<size_t>(elem_nodes(m->block[b].type));
+    for (size_t i = 0; i < m->block[b].n; i++) {
+      std::vector<OpenMesh::VertexHandle> corner;
+      for (size_t a = 0; a < n; a++) corner.push_back(h.vertex_handle(m->block[b].node[i * n + a]));
+      if (!h.add_face(corner).is_valid()) return false;
+    }
+  }
+  return true;
+}
+
+size_t boundary_loops(const HalfEdgeMesh &h)
+{
+  std::vector<bool> seen(h.n_halfedges());
+  size_t n = 0;
+  for (auto e : h.halfedges()) {
+    if (!h.is_boundary(e) || seen[static_cast<size_t>(e.idx())]) continue;
+    n++;
+    for (OpenMesh::HalfedgeHandle k = e; !seen[static_cast<size_t>(k.idx())]; k = h.next_halfedge_handle(k))
+      seen[static_cast<size_t>(k.idx())] = true;
+  }
+  return n;
+}
+
+// Our twins are its opposites, and boundary edges are the same ones.
+void twins_agree(void **)
+{
+  for (size_t holes = 0; holes < 5; holes++) {
+    Mesh *m = square_with_holes(9, holes);
+    HalfEdgeMesh h;
+    assert_true(load(h, m));
+    MeshEdges e;
+    mesh_edges_make(&e, m);
+    size_t boundary = 0, ours = 0;
+    for (auto k : h.halfedges()) boundary += h.is_boundary(k);
+    for (size_t k = 0; k < e.n; k++) {
+      HalfEdge x = mesh_edges_at(&e, m, k);
+      auto there = h.find_halfedge(h.vertex_handle(x.a), h.vertex_handle(x.b));
+      assert_true(there.is_valid());
+      bool open = h.is_boundary(h.opposite_halfedge_handle(there));
+      assert_true(open == (e.twin[k] == NONE));
+      ours += open;
+      if (open) continue;
+      HalfEdge y = mesh_edges_at(&e, m, e.twin[k]);
+      assert_true(y.a == x.b && y.b == x.a);
+      assert_int_equal(e.twin[e.twin[k]], k);
+    }
+    assert_int_equal(ours, boundary);
+    assert_int_equal(boundary_loops(h), 1 + holes);
+    long chi = static_cast<long>(h.n_vertices()) - static_cast<long>(h.n_edges()) + static_cast<long>(h.n_faces());
+    assert_int_equal(chi, 2 - static_cast<long>(boundary_loops(h)));
+    MeshReport r;
+    assert_true(mesh_check(m, false, &r)); // which counts V - E + F and boundary cycles by itself
+    mesh_report_free(&r);
+    mesh_edges_free(&e);
+    mesh_free(m);
+  }
+}
+
+// What OpenMesh refuses, the audit refuses.
+void complex_edges_are_found_by_both(void **)
+{
+  omerr().disable();
+  for (size_t which = 0; which < 32; which++) {
+    Mesh *m = square_with_holes(4, 0);
+    uint32_t *v = m->block[0].node + 3 * which;
+    std::swap(v[0], v[1]); // turned over
+    HalfEdgeMesh h;
+    bool manifold = load(h, m);
+    MeshReport r;
+    bool good = mesh_check(m, false, &r);
+    assert_true(!manifold && !good);
+    assert_true(r.count[RULE_EDGE] > 0 && r.count[RULE_ORIENTATION] == 1);
+    mesh_report_free(&r);
+    mesh_free(m);
+  }
+}
+
+// Its readers read what we write.
+void reads_our_files(void **)
+{
+  Mesh *m = square_with_holes(8, 2);
+  for (const char *ext : {"off", "obj", "ply", "stl"})
+    for (bool binary : {false, true}) {
+      if (binary && (std::string(ext) == "off" || std::string(ext) == "obj")) continue;
+      const char *dir = getenv("SCRATCH");
+      const std::string path = std::string(dir ? dir : "/tmp") + "/halfedge." + ext;
+      Diag *d = diag_new(true);
+      OutOptions o = {};
+      o.binary = binary;
+      assert_int_equal(out_write(m, path.c_str(), nullptr, &o, d), EXIT_GOOD);
+      diag_free(d);
+      HalfEdgeMesh h;
+      OpenMesh::IO::Options options = binary ? OpenMesh::IO::Options::Binary : OpenMesh::IO::Options::Default;
+      assert_true(OpenMesh::IO::read_mesh(h, path, options));
+      assert_int_equal(h.n_faces(), m->block[0].n);
+      assert_int_equal(h.n_vertices(), m->nnode);
+      assert_int_equal(boundary_loops(h), 3);
+      unlink(path.c_str());
+    }
+  mesh_free(m);
+}
+
+} // namespace
+
+int main()
+{
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(twins_agree),
+      cmocka_unit_test(complex_edges_are_found_by_both),
+      cmocka_unit_test(reads_our_files),
+  };
+  return unit_run(tests);
+}
