@@ -7,4 +7,4 @@ $(B)/bench/%: tests/bench/%.c $(LIB)
 .PHONY: bench-mesh
 ## bench-mesh: our refinement and gmsh side by side: time and quality
 bench-mesh: $(B)/bench/bench_refine meshgen
-	bash tests/bench/mesh.sh $(B)/bench/bench_refine
+	bash tests/bench/mesh.sh $(B)/bench/bench_refine ./meshgen
