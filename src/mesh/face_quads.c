@@ -72,6 +72,7 @@ static QuadParams quad_params(const Face *f, const Options *o, Work *w)
   p.angle = f->recombine_angle > 0 ? f->recombine_angle : 45;
   p.cleanup = o->Mesh_RecombineOptimizeTopology;
   if (!o->Mesh_RecombineNodeRepositioning) p.smoothing = 0;
+  p.min_eta = o->Mesh_RecombineMinimumQuality;
   p.middle = middle_place;
   p.ctx = w;
   return p;
@@ -130,8 +131,9 @@ void face_quads(const Tri *t, const FaceGraph *g, const FaceMap *map, const Opti
   QuadReport report = {0};
   quad_recombine(&w.mesh, &p, &report);
   if (report.triangles && p.algorithm != QUAD_GREEDY)
-    diag_warning(diag, map->face->loc, "surface %d keeps %zu triangle%s: its boundary has an odd number of edges", map->face->tag,
-                 report.triangles, report.triangles == 1 ? "" : "s");
+    diag_warning(diag, map->face->loc, "surface %d keeps %zu triangle%s: %s", map->face->tag, report.triangles,
+                 report.triangles == 1 ? "" : "s",
+                 report.cut ? "quadrangles there would not be convex" : "its boundary has an odd number of edges");
   uint32_t *id = number_vertices(&w, base, size, out);
   put_elements(&w.mesh, id, out);
   free(id);

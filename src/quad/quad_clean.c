@@ -10,7 +10,7 @@
 #include "quad/quad_mesh.h"
 
 enum { MAX_PATCH = 64, MAX_CORE = 8 };
-static const double PI = 3.14159265358979323846, FLOOR = 0.5;
+static const double PI = 3.14159265358979323846, FLOOR = 0.5, BAD = 0.3, GAIN = 0.01;
 
 // The elements around some vertices (the core), before and after.
 typedef struct {
@@ -21,6 +21,7 @@ typedef struct {
   size_t ncore;
   Vec2 old[MAX_CORE];
   double before;
+  bool strict;                    // the worst element has to get better
 } Patch;
 
 typedef struct {
@@ -44,6 +45,7 @@ static bool patch_begin(const Clean *c, Patch *p, const uint32_t *core, size_t n
   p->n = 0;
   p->ncore = ncore;
   p->before = 1;
+  p->strict = false;
   for (size_t i = 0; i < ncore; i++) {
     uint32_t v = core[i];
     if (c->touched[v]) return false;
@@ -112,6 +114,7 @@ static bool patch_end(Clean *c, Patch *p)
   uint32_t corner[4 * MAX_PATCH];
   double enough = fmin(p->before, c->floor);
   if (p->before >= c->floor) enough = c->floor;
+  if (p->strict) enough = p->before + GAIN;
   for (int sweep = 0; sweep < 4; sweep++)
     for (size_t i = 0; i < p->ncore; i++) {
       if (m->fixed.data[p->core[i]]) continue;
@@ -140,6 +143,12 @@ static int cost_of(const Clean *c, uint32_t v, int val)
 {
   int d = val - c->ideal[v], least = c->boundary[v] ? 1 : 3;
   return val < least ? 100 : d * d;
+}
+
+// A bad element justifies what valences would not, if it gets better by it.
+static bool is_bad(const Clean *c, uint32_t e)
+{
+  return quad__shape(c->m->xy.data, &c->m->vertex.data[4 * (size_t)e]) < BAD;
 }
 
 // A vertex with two quads: one quad without it.
@@ -204,10 +213,12 @@ static bool close_quad(Clean *c, uint32_t q, int k)
   int va = valence(c, a), vc = valence(c, cc), vb = valence(c, b), vd = valence(c, d);
   int before = cost_of(c, a, va) + cost_of(c, cc, vc) + cost_of(c, b, vb) + cost_of(c, d, vd);
   int after = cost_of(c, cc, va + vc - 2) + cost_of(c, b, vb - 1) + cost_of(c, d, vd - 1);
-  if (after >= before || !may_close(c, q, a, b, cc, d)) return false;
+  bool strict = after >= before;
+  if ((strict && (after >= 100 || !is_bad(c, q))) || !may_close(c, q, a, b, cc, d)) return false;
   Patch p;
   uint32_t core[4] = {cc, a, b, d};
   if (!patch_begin(c, &p, core, 4)) return false;
+  p.strict = strict;
   uint32_t *gone = patch_element(&p, q);
   for (int i = 0; i < 4; i++) gone[i] = NONE;
   patch_replace(&p, a, cc);
@@ -231,12 +242,14 @@ static bool turn_edge(Clean *c, uint32_t s, int way)
            cost_of(c, n1, valence(c, n1));
   after = cost_of(c, p0, valence(c, p0) - 1) + cost_of(c, p3, valence(c, p3) - 1) + cost_of(c, n0, valence(c, n0) + 1) +
           cost_of(c, n1, valence(c, n1) + 1);
-  if (after >= before || joined(c, n0, n1)) return false;
+  bool strict = after >= before;
+  if ((strict && (after >= 100 || (!is_bad(c, e) && !is_bad(c, f)))) || joined(c, n0, n1)) return false;
   for (int i = 0; i < 6; i++)
     for (int j = 0; j < i; j++)
       if (h[i] == h[j]) return false;
   Patch p;
   if (!patch_begin(c, &p, h, 6)) return false;
+  p.strict = strict;
   uint32_t *a = patch_element(&p, e), *b = patch_element(&p, f), first = way ? 2 : 1;
   for (uint32_t i = 0; i < 4; i++) {
     a[i] = h[(first + i) % 6];

@@ -74,7 +74,7 @@ static void test_worst_never_worse(void **state)
   for (uint32_t k = 0; k < 20; k++) {
     QuadMesh m;
     QuadReport r = {0};
-    init(&m, 10 + k, 0.02 * k, k % 2 ? 0.6 : 0, k);
+    init(&m, 10 + k, 0.012 * k, k % 2 ? 0.6 : 0, k);
     quad_match_blossom(&m, &r);
     double worst = quad_measure(&m).eta_min;
     for (int step = 0; step < 4; step++) {
@@ -84,6 +84,7 @@ static void test_worst_never_worse(void **state)
       assert_true(now >= worst - 1e-12 || now >= 0.5);
       worst = now;
     }
+    quad_cut_bad(&m, 0);
     expect_good(&m);
     quad_mesh_free(&m);
   }
@@ -214,6 +215,23 @@ static void test_no_perfect_matching(void **state)
   quad_mesh_free(&m);
 }
 
+// A quad with a straight corner on the boundary is cut, never written.
+static void test_cut(void **state)
+{
+  (void)state;
+  double xy[] = {0, 0, 1, 0, 2, 0, 1, 1};
+  uint32_t tri[] = {0, 1, 3, 1, 2, 3};
+  QuadMesh m;
+  QuadReport r;
+  QuadParams p = quad_params_default();
+  quad_mesh_init(&m, xy, NULL, 4, tri, 2, NULL, 0);
+  quad_recombine(&m, &p, &r);
+  expect_good(&m);
+  assert_int_equal(r.cut, 1);
+  assert_int_equal(r.triangles, 2);
+  quad_mesh_free(&m);
+}
+
 static void test_check_refuses(void **state)
 {
   (void)state;
@@ -251,7 +269,7 @@ int main(void)
       cmocka_unit_test(test_measures),   cmocka_unit_test(test_variants),
       cmocka_unit_test(test_worst_never_worse), cmocka_unit_test(test_locked),
       cmocka_unit_test(test_middles_on_the_curve), cmocka_unit_test(test_odd),
-      cmocka_unit_test(test_no_perfect_matching), cmocka_unit_test(test_check_refuses),
+      cmocka_unit_test(test_no_perfect_matching), cmocka_unit_test(test_check_refuses), cmocka_unit_test(test_cut),
       cmocka_unit_test(test_same_again),
   };
   return unit_run(tests);
