@@ -4,7 +4,10 @@
 
 #include "cli/subcommand.h"
 
+#include "base/json.h"
+#include "base/number.h"
 #include "mesh/mesh_check.h"
+#include "mesh/mesh_diff.h"
 #include "mesh/mesh_hash.h"
 #include "out/formats.h"
 
@@ -71,13 +74,166 @@ static int each_file(const Words *w, const char *usage, int (*one)(const char *,
   return worst;
 }
 
+// ---- diff: exits as diff(1) does --------------------------------------------------------------------------------------------
+enum { DIFF_EXIT_SAME = 0, DIFF_EXIT_DIFFERENT = 1, DIFF_EXIT_TROUBLE = 2 };
+
+typedef struct {
+  const char *file[2];
+  const char *picture; // or NULL
+  double tol;
+  bool json;
+} DiffRequest;
+
+static bool parse_diff(const Words *w, DiffRequest *r)
+{
+  int files = 0;
+  for (int i = 0; i < w->argc; i++) {
+    const char *word = w->argv[i];
+    const char *sw = word[0] == '-' && word[1] ? word + (word[1] == '-' ? 2 : 1) : NULL;
+    bool has_next = i + 1 < w->argc;
+    if (!sw && files < 2)
+      r->file[files++] = word;
+    else if (sw && strcmp(sw, "json") == 0)
+      r->json = true;
+    else if (sw && strcmp(sw, "o") == 0 && has_next)
+      r->picture = w->argv[++i];
+    else if (sw && strcmp(sw, "tol") == 0 && has_next) {
+      const char *t = w->argv[++i], *end = t + strlen(t);
+      if (number_read(t, end, &r->tol) != end || !(r->tol >= 0)) return false;
+    } else
+      return false;
+  }
+  return files == 2;
+}
+
+static void diff_text(const MeshDiff *d)
+{
+  static const char *const dims[] = {"point", "curve", "surface"};
+  printf("nodes: %zu and %zu, %zu and %zu without a partner, %zu moved\n", d->nodes[0], d->nodes[1], d->alone[0], d->alone[1],
+         d->moved);
+  if (d->moved)
+    printf("moved: %g at most, from (%.9g, %.9g, %.9g) to (%.9g, %.9g, %.9g) on %s %d; %g on average\n", d->largest, d->from.x,
+           d->from.y, d->from.z, d->to.x, d->to.y, d->to.z, dims[d->moved_dim], d->moved_tag, d->mean);
+  printf("elements: %zu and %zu changed\n", d->nchanged[0], d->nchanged[1]);
+  for (size_t i = 0; i < d->group.len; i++) {
+    const GroupDiff *g = &d->group.data[i];
+    const char *name = g->name[1] ? g->name[1] : g->name[0];
+    printf("group of %ss %d%s%s%s: %s; elements %zu and %zu, size %.9g and %.9g\n", dims[g->dim], g->tag[1] ? g->tag[1] : g->tag[0],
+           name ? " '" : "", name ? name : "", name ? "'" : "", mesh_diff_change(g->change), g->elements[0], g->elements[1],
+           g->size[0], g->size[1]);
+  }
+  for (size_t i = 0; i < d->entity.len; i++) {
+    const EntityDiff *e = &d->entity.data[i];
+    printf("%s %d: elements %zu and %zu, %zu and %zu changed; size %.9g and %.9g; %zu nodes moved, %g at most", dims[e->dim], e->tag,
+           e->elements[0], e->elements[1], e->changed[0], e->changed[1], e->size[0], e->size[1], e->moved, e->largest);
+    if (e->dim == 2) printf("; least quality %.4f and %.4f", e->quality[0], e->quality[1]);
+    putchar('\n');
+  }
+}
+
+static void json_two(Json *j, const char *name, double a, double b)
+{
+  json_begin(j, name, '[');
+  json_number(j, NULL, a);
+  json_number(j, NULL, b);
+  json_end(j, ']');
+}
+
+static void diff_json(const MeshDiff *d)
+{
+  static const char *const verdicts[] = {"same", "within", "different"};
+  Json j = {0};
+  json_begin(&j, NULL, '{');
+  json_integer(&j, "report_version", 1);
+  json_string(&j, "verdict", verdicts[d->verdict]);
+  json_begin(&j, "hash", '[');
+  for (int i = 0; i < 2; i++) {
+    char text[MESH_HASH_TEXT];
+    mesh_hash_print(d->hash[i].full, text);
+    json_string(&j, NULL, text);
+  }
+  json_end(&j, ']');
+  json_two(&j, "nodes", (double)d->nodes[0], (double)d->nodes[1]);
+  json_two(&j, "nodes_without_partner", (double)d->alone[0], (double)d->alone[1]);
+  json_integer(&j, "nodes_moved", (long long)d->moved);
+  json_number(&j, "largest_move", d->largest);
+  json_number(&j, "mean_move", d->mean);
+  json_two(&j, "elements_changed", (double)d->nchanged[0], (double)d->nchanged[1]);
+  json_begin(&j, "groups", '[');
+  for (size_t i = 0; i < d->group.len; i++) {
+    const GroupDiff *g = &d->group.data[i];
+    json_begin(&j, NULL, '{');
+    json_integer(&j, "dim", g->dim);
+    json_two(&j, "tag", g->tag[0], g->tag[1]);
+    json_string(&j, "name_before", g->name[0]);
+    json_string(&j, "name_after", g->name[1]);
+    json_string(&j, "change", mesh_diff_change(g->change));
+    json_two(&j, "elements", (double)g->elements[0], (double)g->elements[1]);
+    json_two(&j, "size", g->size[0], g->size[1]);
+    json_end(&j, '}');
+  }
+  json_end(&j, ']');
+  json_begin(&j, "entities", '[');
+  for (size_t i = 0; i < d->entity.len; i++) {
+    const EntityDiff *e = &d->entity.data[i];
+    json_begin(&j, NULL, '{');
+    json_integer(&j, "dim", e->dim);
+    json_integer(&j, "tag", e->tag);
+    json_two(&j, "elements", (double)e->elements[0], (double)e->elements[1]);
+    json_two(&j, "changed", (double)e->changed[0], (double)e->changed[1]);
+    json_two(&j, "size", e->size[0], e->size[1]);
+    json_integer(&j, "nodes_moved", (long long)e->moved);
+    json_number(&j, "largest_move", e->largest);
+    if (e->dim == 2) json_two(&j, "least_quality", e->quality[0], e->quality[1]);
+    json_end(&j, '}');
+  }
+  json_end(&j, ']');
+  json_end(&j, '}');
+  printf("%s\n", str_text(&j.out));
+  str_free(&j.out);
+}
+
+static int diff_meshes(const DiffRequest *r, const Mesh *a, const Mesh *b, Diag *diag)
+{
+  static const char *const verdicts[] = {"the same mesh", "the same mesh within the tolerance", "different meshes"};
+  MeshDiff d = {0};
+  mesh_diff_make(&d, a, b, r->tol);
+  int status = d.verdict == DIFF_DIFFERENT ? DIFF_EXIT_DIFFERENT : DIFF_EXIT_SAME;
+  if (r->json) {
+    diff_json(&d);
+  } else {
+    printf("%s and %s: %s%s\n", r->file[0], r->file[1], verdicts[d.verdict],
+           d.verdict == DIFF_SAME && !d.same_numbering ? ", numbered differently" : "");
+    if (d.verdict != DIFF_SAME) diff_text(&d);
+  }
+  if (r->picture && out_write_diff(a, b, &d, r->picture, &(OutOptions){0}, diag) != EXIT_GOOD) status = DIFF_EXIT_TROUBLE;
+  mesh_diff_free(&d);
+  return status;
+}
+
+static int run_diff(const Words *w)
+{
+  DiffRequest r = {0};
+  if (!parse_diff(w, &r)) {
+    diag_error(w->diag, NO_LOC, "usage: meshgen diff a.msh b.msh [-tol t] [-json] [-o picture]");
+    return DIFF_EXIT_TROUBLE;
+  }
+  ExitCode read = EXIT_GOOD;
+  Mesh *a = out_read(r.file[0], NULL, w->diag, &read);
+  Mesh *b = a ? out_read(r.file[1], NULL, w->diag, &read) : NULL;
+  int status = a && b ? diff_meshes(&r, a, b, w->diag) : DIFF_EXIT_TROUBLE;
+  mesh_free(a);
+  mesh_free(b);
+  return status;
+}
+
 static int run_check(const Words *w) { return each_file(w, "meshgen check file.msh ...", check_one); }
 static int run_hash(const Words *w) { return each_file(w, "meshgen hash file.msh ...", hash_one); }
 
 static const struct {
   const char *name;
   int (*run)(const Words *);
-} subcommands[] = {{"check", run_check}, {"hash", run_hash}};
+} subcommands[] = {{"check", run_check}, {"hash", run_hash}, {"diff", run_diff}};
 
 bool subcommand_run(int argc, char **argv, Diag *diag, int *status)
 {
