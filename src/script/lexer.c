@@ -230,10 +230,3 @@ Token lexer_next(Lexer *l)
   if (c == '"' || c == '\'') return read_string(l, t);
   return read_sign(l, t);
 }
-
-void lexer_skip_statement(Lexer *l)
-{
-  Token t;
-  do t = lexer_next(l);
-  while (t.kind != ';' && t.kind != TOK_END);
-}

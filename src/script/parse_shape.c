@@ -22,7 +22,8 @@ static Node *parse_unsupported(Parser *p, const char *text)
     if (k == '{' || k == '(' || k == '[') depth++;
     if (k == '}' || k == ')' || k == ']') depth--;
     parse__advance(p);
-    if (!depth && k == '}' && p->tok.kind != '{') break;
+    bool goes_on = p->tok.kind == '{' || (p->tok.kind == TOK_WORD && p->tok.loc.line == begin.loc.line);
+    if (!depth && k == '}' && !goes_on) break;
   }
   Node *n = parse__node(p, NODE_UNSUPPORTED, begin.loc, 0);
   char *message = arena_alloc(p->arena, begin.len + strlen(text) + 4);

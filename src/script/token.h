@@ -69,7 +69,5 @@ typedef struct {
 void lexer_init(Lexer *l, Words *words, uint32_t file, const char *text, size_t len);
 // The next token; TOK_END for ever at the end. Amortized O(length).
 Token lexer_next(Lexer *l);
-// Skip the text up to and including the next ';' outside strings and comments, or to the end. For error recovery.
-void lexer_skip_statement(Lexer *l);
 
 #endif

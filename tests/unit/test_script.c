@@ -261,6 +261,27 @@ static void run_case(const char *path)
   free(text);
 }
 
+// A file of trees: the source, a line "---", and what script_dump_ast makes of it.
+static void run_tree(const char *path)
+{
+  size_t len;
+  char *text = file_read(path, &len), *mark = text ? strstr(text, "\n---\n") : NULL;
+  if (!mark) {
+    result(false, path, 0, "has no line ---");
+    free(text);
+    return;
+  }
+  Diag *diag = diag_new(false);
+  Str out = {0};
+  script_dump_ast(diag, path, text, (size_t)(mark - text) + 1, &out);
+  bool same = !strcmp(str_text(&out), mark + 5);
+  if (!same) printf("# got:\n%s# expected:\n%s", str_text(&out), mark + 5);
+  result(same && !diag_errors(diag), path, 1, "the tree");
+  str_free(&out);
+  diag_free(diag);
+  free(text);
+}
+
 static void run_folder(const char *dir)
 {
   struct dirent **entry;
@@ -276,6 +297,8 @@ static void run_folder(const char *dir)
         run_folder(str_text(&path));
       else if (len > 4 && !strcmp(name + len - 4, ".geo"))
         run_case(str_text(&path));
+      else if (len > 4 && !strcmp(name + len - 4, ".ast"))
+        run_tree(str_text(&path));
     }
     str_free(&path);
     free(entry[i]);

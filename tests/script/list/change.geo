@@ -21,3 +21,7 @@ l++;                                             // expect error: 'l' is a list 
 grown[] += {7}; Printf("g", grown[]);            // expect: g [0]7
 l += 5; Printf("%g", l[5]);                      // expect: 5
 l[-2] = 1;                                       // expect error: the index -2 is out of range
+s += {4}; Printf("%g", s);                       // expect: 7
+none[{0}] += {1};                                // expect error: unknown variable 'none'
+l[0] = {1, 2};                                   // expect error: one element of a list can only be assigned a number
+t[] = Str("a"); t[1e9] = "b";                    // expect error: the index 1e+09 is out of range

@@ -38,3 +38,4 @@ SetMaxTag Point(100); Printf("%g", newp);        // expect: 101
 Levelset Plane(1) = {0,0,1,0};                   // expect error: Levelset is not supported
 Homology{{1},{2}};                               // expect error: Homology is not supported
 AdaptMesh {1};                                   // expect error: AdaptMesh is not supported
+Periodic Surface {1} = {1} Translate {0, 0, 1}; Periodic Surface 1 {1} = 1 {3};

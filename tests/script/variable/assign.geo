@@ -18,3 +18,5 @@ fresher++;                                       // expect error: unknown variab
 (x) = 3;                                         // expect error: expected a statement, found '('
 x = ;                                            // expect error: expected a value, found ';'
 x == 3;                                          // expect error: expected
+newp = 3;                                        // expect error: 'newp' is a word of the language
+a.5 = 3;                                         // expect error: unknown statement 'a'
