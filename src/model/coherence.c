@@ -22,8 +22,16 @@ int merged__tag(const Merged *g, int dim, int tag)
   for (;;) {
     uint32_t to = g->to[dim].len ? map_get(&g->to[dim], (uint64_t)tag__abs(tag)) : NONE;
     if (to == NONE) return tag;
-    tag = tag < 0 ? -(int)to : (int)to;
+    int survivor = to & 1 ? -(int)(to >> 1) : (int)(to >> 1);
+    tag = tag < 0 ? -survivor : survivor;
   }
+}
+
+// `gone` is now the signed tag `stays`; the sign in the lowest bit, so that no value is NONE.
+static void record(Merged *g, int dim, int gone, int stays)
+{
+  map_set(&g->to[dim], (uint64_t)gone, (uint32_t)tag__abs(stays) << 1 | (stays < 0));
+  vec_push(&g->gone[dim], gone);
 }
 
 static void replace_tags(const Merged *g, int dim, int *tag, size_t n)
@@ -160,8 +168,7 @@ static void find_equal_points(Model *m, Merged *g)
     for (Point *q = coincident(m, p, tol); q; q = coincident(m, p, tol)) {
       Point *gone = q->tag < p->tag ? p : q, *stays = gone == p ? q : p;
       model__forget_point(m, gone);
-      map_set(&g->to[0], (uint64_t)gone->tag, (uint32_t)stays->tag);
-      vec_push(&g->gone[0], gone->tag);
+      record(g, 0, gone->tag, stays->tag);
       if (gone == p) break;
     }
   }
@@ -180,6 +187,7 @@ static bool curve_follows(Model *m, Curve *c, const Merged *g)
     *tag = merged__tag(g, 0, *tag);
     point__get(m, *tag)->uses++;
   }
+  if (c->extruded_point) c->extruded_point = merged__tag(g, 0, c->extruded_point);
   return true;
 }
 
@@ -305,14 +313,27 @@ static bool copied_from(const Model *m, int from, int to)
   return false;
 }
 
-static void inherit(const Model *m, Curve *stays, const Curve *gone, int sign)
+// Layers as seen from the other end.
+static Layers reversed_layers(Model *m, const Layers *l)
+{
+  Layers r = {l->n, arena_alloc(&m->arena, (size_t)l->n * sizeof *r.count),
+              arena_alloc(&m->arena, (size_t)l->n * sizeof *r.height), l->recombine};
+  for (int i = 0; i < l->n; i++) {
+    r.count[i] = l->count[l->n - 1 - i];
+    r.height[i] = i + 1 == l->n ? 1 : 1 - l->height[l->n - 2 - i];
+  }
+  return r;
+}
+
+// What survives takes over how to mesh it if it does not know itself.
+static void inherit(Model *m, Curve *stays, const Curve *gone, int sign)
 {
   if (stays->transfinite || stays->copy_of || (stays->extruded_point && stays->layers.n)) return;
   stays->transfinite = gone->transfinite;
   stays->law = gone->law;
   stays->coef = sign < 0 && gone->law != LAW_BUMP && gone->coef > 0 ? 1 / gone->coef : gone->coef;
-  stays->extruded_point = sign < 0 ? 0 : gone->extruded_point;
-  if (stays->extruded_point) stays->layers = gone->layers;
+  stays->extruded_point = gone->extruded_point;
+  if (gone->layers.n) stays->layers = sign < 0 ? reversed_layers(m, &gone->layers) : gone->layers;
   if (!copied_from(m, gone->copy_of, stays->tag)) stays->copy_of = sign * gone->copy_of;
 }
 
@@ -342,8 +363,7 @@ static void find_equal_curves(Model *m, Merged *g)
       Curve *out = gone ? c : d, *in = gone ? d : c;
       inherit(m, in, out, sign);
       if (!gone) model__forget_curve(m, d);
-      map_set(&g->to[1], (uint64_t)out->tag, (uint32_t)(sign * in->tag));
-      vec_push(&g->gone[1], out->tag);
+      record(g, 1, out->tag, sign * in->tag);
     }
     if (!gone) chains__link(&m->curve_key, h, table__find(&m->curve, c->tag));
   }
@@ -532,8 +552,7 @@ static void find_equal_faces(Model *m, Merged *g)
       gone = e->tag < f->tag;
       Face *out = gone ? f : e, *in = gone ? e : f;
       if (!gone) model__forget_face(m, e);
-      map_set(&g->to[2], (uint64_t)out->tag, (uint32_t)in->tag);
-      vec_push(&g->gone[2], out->tag);
+      record(g, 2, out->tag, in->tag);
     }
     if (!gone) chains__link(&m->face_key, h, table__find(&m->face, f->tag));
   }

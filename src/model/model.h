@@ -71,7 +71,7 @@ typedef struct {
   int periodic_master;    // signed tag of the curve whose mesh is copied; 0: none
   const double *affine;   // periodic by this map (row-major 4x4) from master to this; NULL: by parameter
   int copy_of;            // signed tag of the curve whose mesh an extrusion with Layers copies here; 0: none
-  int extruded_point;     // point tag swept to make this curve, 0: none; then `layers` may prescribe its nodes
+  int extruded_point;     // point tag swept to make this curve, 0: none; then `layers` may prescribe its nodes, from its begin on
   Layers layers;
   int compound;           // > 0: member of the compound curve of this index (Compound Curve {...})
   bool reverse_mesh;      // Reverse Curve

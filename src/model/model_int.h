@@ -136,7 +136,7 @@ static inline int curve__to(const Model *m, int signed_tag) { return curve__from
 
 // coherence.c. Merged: old tag -> surviving signed tag of what a run removed, per dimension 0..2.
 typedef struct {
-  Map to[3]; // value: signed tag as uint32
+  Map to[3];      // value: tag << 1 | negative
   IntVec gone[3]; // the old tags, in the order they were found
 } Merged;
 void merged__free(Merged *g);

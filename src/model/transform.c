@@ -235,7 +235,7 @@ static void copy_curve_mesh(Model *m, Curve *to, const Curve *from, bool reverse
 }
 
 // The copy of a curve (run backwards when its tag is negative): a new tag first, then points for all control points and
-// two more for the ends.
+// two more for the ends, which are there for the tags' sake alone: the next coherence merges them.
 int model__copy_curve(Model *m, int signed_tag, SrcLoc loc)
 {
   const Curve *c = model_curve(m, signed_tag);
@@ -248,8 +248,9 @@ int model__copy_curve(Model *m, int signed_tag, SrcLoc loc)
     point[2] = c->point[2];
   }
   for (int i = 0; i < n; i++) point[i] = model__copy_point(m, point[i], loc);
-  int begin = model__copy_point(m, back ? c->end : c->begin, loc), end = model__copy_point(m, back ? c->begin : c->end, loc);
-  Curve *d = curve__make(m, tag, c->type, point, n, begin, end, loc);
+  (void)model__copy_point(m, back ? c->end : c->begin, loc);
+  (void)model__copy_point(m, back ? c->begin : c->end, loc);
+  Curve *d = curve__make(m, tag, c->type, point, n, point[0], point[n - 1], loc);
   free(point);
   if (c->nknot) {
     d->nknot = c->nknot;

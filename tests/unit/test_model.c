@@ -4,7 +4,9 @@
 // The tags in the tables below are those that Gmsh 4.8.4 prints for the same statements.
 #include "unit.h"
 
+#include "base/rng.h"
 #include "base/str.h"
+#include "model/model_check.h"
 #include "model/model_edit.h"
 
 static const double PI = 3.14159265358979323846;
@@ -366,6 +368,30 @@ static void coherence_of_curves_and_groups(void **state)
   assert_true(model_prepare(f.m, 1e-8, f.d));
   assert_int_equal(model_group(f.m, 1, 1)->entity.len, 3); // each once
   assert_int_equal(model_group(f.m, 2, 2)->entity.len, 1);
+  teardown(&f);
+}
+
+// A curve may survive as the reverse of curve 1, and layers then count from its other end.
+static void merged_into_a_reverse(void **state)
+{
+  (void)state;
+  Fix f = setup();
+  point(&f, 1, 0, 0, 0);
+  point(&f, 2, 0, 1, 0);
+  point(&f, 3, 1, 0, 0);
+  LINE(&f, 1, 2, 1); // runs against what the extrusion of point 1 will make
+  int counts[2] = {2, 3};
+  double heights[2] = {.25, 1};
+  Sweep s = shift(0, 1, 0);
+  s.layers = (Layers){2, counts, heights, false};
+  LINE(&f, 5, 1, 3);
+  ShapeVec o = extrude(&f, &s, (Shape[]){shape(1, 5)}, 1);
+  EXPECT_BOUNDARY(f.m, o.data[1].tag, 5, o.data[2].tag, -o.data[0].tag, 1);
+  const Curve *c = model_curve(f.m, 1);
+  assert_int_equal(c->extruded_point, 1);
+  assert_int_equal(c->layers.count[0], 3);
+  assert_true(c->layers.height[0] == .75 && c->layers.height[1] == 1);
+  vec_free(&o);
   teardown(&f);
 }
 
@@ -808,6 +834,102 @@ static void boxes(void **state)
   teardown(&f);
 }
 
+// Random statements on a small grid, where everything meets everything: after each, all counts of uses are right and all
+// references live; after coherence nothing is double.
+static int any(Rng *r, const Model *m, int dim)
+{
+  IntVec all = {0};
+  model_all(m, dim, &all);
+  int tag = all.len ? all.data[rng_below(r, (uint32_t)all.len)] : 1 + (int)rng_below(r, 5);
+  vec_free(&all);
+  return tag;
+}
+
+static Vec3 grid_vector(Rng *r)
+{
+  return (Vec3){(double)rng_below(r, 4), (double)rng_below(r, 4), (double)rng_below(r, 2)};
+}
+
+static void make_something(Fix *f, Rng *r)
+{
+  Vec3 x = grid_vector(r);
+  int a = any(r, f->m, 0), b = any(r, f->m, 0), c = any(r, f->m, 0);
+  switch (rng_below(r, 5)) {
+  case 0: model_add_point(f->m, -1, x, 0, NO_LOC, f->d); break;
+  case 1: LINE(f, -1, a, b); break;
+  case 2: CURVE(f, CURVE_SPLINE, -1, a, b, c); break;
+  case 3: {
+    if (a == b || b == c || a == c) break;
+    int l[3] = {LINE(f, -1, a, b), LINE(f, -1, b, c), LINE(f, -1, c, a)};
+    if (l[0] < 0 || l[1] < 0 || l[2] < 0) break;
+    int loop = LOOP(f, -1, l[2], l[0], rng_below(r, 3) ? l[1] : -l[1]);
+    if (loop > 0) FACE(f, rng_below(r, 2) ? FACE_PLANE : FACE_FILLING, -1, loop);
+    break;
+  }
+  case 4: model_group_edit(f->m, 1, -1, NULL, GROUP_SET, (int[]){any(r, f->m, 1), -any(r, f->m, 1)}, 2, NO_LOC, f->d); break;
+  }
+}
+
+static bool change_something(Fix *f, Rng *r)
+{
+  int dim = (int)rng_below(r, 3);
+  Shape s[2] = {{dim, any(r, f->m, dim)}, {1, any(r, f->m, 1)}};
+  ShapeVec out = {0};
+  IntVec parts = {0};
+  bool coherent = false;
+  switch (rng_below(r, 6)) {
+  case 0: {
+    Affine a = affine_translation(grid_vector(r));
+    coherent = model_transform(f->m, s, 1 + rng_below(r, 2), &a, NO_LOC, f->d);
+    break;
+  }
+  case 1: model_duplicate(f->m, s, 1, &out, NO_LOC, f->d); break;
+  case 2: {
+    Sweep w = shift(1, 0, 0);
+    if (rng_below(r, 2)) w = turn((Vec3){0, 0, 1}, (Vec3){1, 1, 0}, PI / 2);
+    coherent = model_extrude(f->m, s, 1, &w, &out, NO_LOC, f->d);
+    break;
+  }
+  case 3: model_delete(f->m, s, 2, rng_below(r, 2)); break;
+  case 4: {
+    const Curve *c = model_curve(f->m, s[1].tag);
+    if (c && c->npoint > 2) model_split_curve(f->m, c->tag, &c->point[1], 1, &parts, NO_LOC, f->d);
+    break;
+  }
+  case 5:
+    model_coherence(f->m, f->d);
+    coherent = true;
+    break;
+  }
+  vec_free(&parts);
+  vec_free(&out);
+  return coherent;
+}
+
+static void random_statements(void **state)
+{
+  (void)state;
+  for (uint64_t seed = 0; seed < 200; seed++) {
+    Fix f = setup();
+    Rng r = {seed};
+    for (int step = 0; step < 120 && model_curves(f.m) < 120; step++) {
+      bool coherent = false;
+      if (rng_below(&r, 2))
+        make_something(&f, &r);
+      else
+        coherent = change_something(&f, &r);
+      Str why = {0};
+      if (!model_check(f.m, coherent, &why)) fail_msg("seed %d, step %d:\n%s", (int)seed, step, str_text(&why));
+      str_free(&why);
+    }
+    model_prepare(f.m, 1e-8, f.d);
+    Str why = {0};
+    if (!model_check(f.m, false, &why)) fail_msg("seed %d, prepared:\n%s", (int)seed, str_text(&why));
+    str_free(&why);
+    teardown(&f);
+  }
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -818,6 +940,7 @@ int main(void)
     cmocka_unit_test(sweeps_that_stay),
     cmocka_unit_test(several_at_once),
     cmocka_unit_test(coherence_of_curves_and_groups),
+    cmocka_unit_test(merged_into_a_reverse),
     cmocka_unit_test(coherence_tolerance),
     cmocka_unit_test(coherence_is_incremental),
     cmocka_unit_test(deleting),
@@ -833,6 +956,7 @@ int main(void)
     cmocka_unit_test(split_and_compound),
     cmocka_unit_test(boxes),
     cmocka_unit_test(plane_shapes),
+    cmocka_unit_test(random_statements),
   };
   return unit_run(tests);
 }
