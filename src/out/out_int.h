@@ -103,25 +103,20 @@ static inline Vec3 select__xyz(const Selection *s, size_t k)
   return vec3_scale(s->scale, mesh_xyz(s->mesh, s->node[k]));
 }
 
-// Decimal text of v at p; returns the end.
+// Decimal text of v at p; returns the end. Two digits at a time, from the end.
 static inline char *put_u64(char *p, uint64_t v)
 {
-  if (v < 10) {
-    *p = (char)('0' + v);
-    return p + 1;
-  }
-  char tmp[20];
-  int n = 0;
-  while (v >= 100) {
-    uint64_t q = v / 100, r = v - 100 * q;
-    tmp[n++] = (char)('0' + r % 10);
-    tmp[n++] = (char)('0' + r / 10);
-    v = q;
-  }
-  tmp[n++] = (char)('0' + v % 10);
-  if (v >= 10) tmp[n++] = (char)('0' + v / 10);
-  for (int i = 0; i < n; i++) p[i] = tmp[n - 1 - i];
-  return p + n;
+  static const char pairs[] = "0001020304050607080910111213141516171819202122232425262728293031323334353637383940414243444546474849"
+                              "5051525354555657585960616263646566676869707172737475767778798081828384858687888990919293949596979899";
+  int n = 1;
+  for (uint64_t t = v; t >= 10; n++) t = t >= 10000 ? (n += 3, t / 10000) : t / 10;
+  char *end = p + n, *q = end;
+  for (; v >= 100; v /= 100) memcpy(q -= 2, pairs + 2 * (v % 100), 2);
+  if (v >= 10)
+    memcpy(q - 2, pairs + 2 * v, 2);
+  else
+    q[-1] = (char)('0' + v);
+  return end;
 }
 static inline char *put_double(char *p, double v)
 {

@@ -502,7 +502,7 @@ static void mark_worst(Picture *p, Measure what)
       x += p->xy[2 * (size_t)v] / corners;
       y += p->xy[2 * (size_t)v + 1] / corners;
     }
-    double r = fmax(7, p->edge_px);
+    double r = fmin(22, fmax(7, p->edge_px));
     canvas_circle(p->canvas, (Color){255, 255, 255, 255}, 4, x, y, r);
     canvas_circle(p->canvas, (Color){210, 0, 90, 255}, 2, x, y, r);
     if (k == 0) {
@@ -618,7 +618,7 @@ static void draw_diff(Writer *w, CanvasKind kind, const Mesh *a, const Mesh *b, 
   if (d->largest > 0) {
     double at[2];
     to_pixel(&p, d->to, at);
-    canvas_circle(p.canvas, (Color){210, 0, 90, 255}, 2, at[0], at[1], fmax(7, p.edge_px));
+    canvas_circle(p.canvas, (Color){210, 0, 90, 255}, 2, at[0], at[1], fmin(20, fmax(7, p.edge_px)));
   }
   diff_legend(&p, d);
   canvas_close(p.canvas);
