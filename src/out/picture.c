@@ -21,11 +21,11 @@ static const Color line_colors[] = {
 };
 static const Color ink = {35, 40, 48, 255}, gray = {105, 112, 122, 255}, edge_ink = {48, 60, 78, 255};
 
-// Bad is dark red, good is deep blue, by way of orange, pale yellow and green: distinct in gray too.
+// Bad is dark red, good is light blue, by way of orange, pale yellow and green: distinct in gray too.
 static Color ramp(double t)
 {
   static const Color stop[] = {{140, 10, 40, 255}, {230, 90, 50, 255}, {254, 210, 110, 255}, {205, 232, 160, 255},
-                               {95, 180, 165, 255}, {45, 95, 160, 255}};
+                               {140, 205, 195, 255}, {130, 178, 222, 255}};
   enum { N = (int)ARRAY_LEN(stop) - 1 };
   t = t > 0 ? fmin(t, 1) * N : 0; // NaN is 0
   int i = MIN((int)t, N - 1);
@@ -508,6 +508,7 @@ static void mark_worst(Picture *p, Measure what)
     if (k == 0) {
       char text[48];
       snprintf(text, sizeof text, "%.3g", worst[k].value);
+      canvas_rect(p->canvas, (Color){255, 255, 255, 220}, x + r + 2, y - r * 0.4 - 12, 9.0 * (double)strlen(text), 16);
       canvas_text(p->canvas, (Color){170, 0, 70, 255}, x + r + 4, y - r * 0.4, 13, 0, true, text);
     }
   }
