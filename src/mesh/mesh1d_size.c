@@ -303,9 +303,9 @@ void mesh1d__measure(Mesher1d *d, size_t k, SizeEval *eval)
   w->least = MAX(w->least, least_segments(d, c));
   double own = size_gradation(d->size), slope = own > 0 ? own : sqrt(d->opt->Mesh_SmoothRatio) - 1;
   bool jump = a.end_h[0] < on_curve[0] * (1 - 1e-9) || a.end_h[1] < on_curve[1] * (1 - 1e-9);
-  double precision = d->opt->Mesh_LcIntegrationPrecision;
+  double precision = d->opt->Mesh_LcIntegrationPrecision; // of sums; places inside cells need more
   if (own == 0 && !jump) {
-    integral_make(&w->q, density, &a, first_cells(&a), precision / 2, 1 << 18);
+    integral_make(&w->q, density, &a, first_cells(&a), precision / 100, 1 << 18);
     if (!grows_too_fast(&a, &w->q, slope)) {
       w->rule = RULE_SIZE;
       w->a = integral_total(&w->q);
