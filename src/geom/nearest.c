@@ -9,23 +9,35 @@
 
 enum { LEAF = 4, MAX_LEVELS = 40 };
 
+// What the search reads, one cache line; and the rest.
 typedef struct {
   Vec3 a, d;       // begin and difference
   double inverse;  // 1 / |d|^2, 0 for a point
-  double bulge, u0, u1;
-  uint32_t curve;
+  double bulge;
 } Piece;
+
+typedef struct {
+  double u0, u1;
+  uint32_t curve;
+} Origin;
 
 typedef struct {
   double lo[3], hi[3];
 } Box;
 
+// The boxes of both children of a node, rounded outwards, in one cache line.
+typedef struct {
+  float lo[2][3], hi[2][3];
+} Pair;
+
 struct Nearest {
   NearestOnPiece on_piece;
   void *ctx;
   Vec(Piece) piece;
-  Box *node;       // 1 is the root, children of i are 2i and 2i+1; leaf k is node leaves + k
+  Vec(Origin) origin;
+  Pair *node;      // 1 is the root, children of i are 2i and 2i+1; leaf k is node leaves + k
   size_t leaves;
+  double zero2;    // a squared distance that is rounding only
 };
 
 Nearest *nearest_new(NearestOnPiece on_piece, void *ctx)
@@ -40,6 +52,7 @@ void nearest_free(Nearest *n)
 {
   if (!n) return;
   vec_free(&n->piece);
+  vec_free(&n->origin);
   free(n->node);
   free(n);
 }
@@ -53,7 +66,8 @@ void nearest_add(Nearest *n, Vec3 a, Vec3 b, double bulge, uint32_t curve, doubl
 {
   Vec3 d = vec3_sub(b, a);
   double l2 = vec3_dot(d, d);
-  vec_push(&n->piece, ((Piece){a, d, l2 > 0 ? 1 / l2 : 0, bulge, u0, u1, curve}));
+  vec_push(&n->piece, ((Piece){a, d, l2 > 0 ? 1 / l2 : 0, bulge}));
+  vec_push(&n->origin, ((Origin){u0, u1, curve}));
 }
 
 static void include(Box *b, const double *lo, const double *hi)
@@ -75,7 +89,7 @@ static Box box_of(const Piece *p)
   return b;
 }
 
-void nearest_build(Nearest *n)
+static void sort_pieces(Nearest *n)
 {
   size_t count = n->piece.len;
   double *mid = mem_alloc(2 * (count + 1) * sizeof *mid);
@@ -86,35 +100,70 @@ void nearest_build(Nearest *n)
     mid[2 * i + 1] = p->a.y + p->d.y / 2;
   }
   if (count) hilbert_order(mid, count, order);
-  Piece *sorted = mem_alloc((count + 1) * sizeof *sorted);
-  for (size_t i = 0; i < count; i++) sorted[i] = n->piece.data[order[i]];
+  Piece *piece = mem_alloc((count + 1) * sizeof *piece);
+  Origin *origin = mem_alloc((count + 1) * sizeof *origin);
+  for (size_t i = 0; i < count; i++) {
+    piece[i] = n->piece.data[order[i]];
+    origin[i] = n->origin.data[order[i]];
+  }
   free(n->piece.data);
-  n->piece.data = sorted;
-  n->piece.cap = count + 1;
+  free(n->origin.data);
+  n->piece.data = piece;
+  n->origin.data = origin;
+  n->piece.cap = n->origin.cap = count + 1;
   free(mid);
   free(order);
+}
+
+static float round_down(double v)
+{
+  float f = (float)v;
+  return (double)f > v ? nextafterf(f, -INFINITY) : f;
+}
+
+static float round_up(double v)
+{
+  float f = (float)v;
+  return (double)f < v ? nextafterf(f, INFINITY) : f;
+}
+
+void nearest_build(Nearest *n)
+{
+  size_t count = n->piece.len;
+  sort_pieces(n);
   for (n->leaves = 1; n->leaves * LEAF < count;) n->leaves *= 2;
-  n->node = mem_alloc(2 * n->leaves * sizeof *n->node);
+  Box *box = mem_alloc(2 * n->leaves * sizeof *box);
   for (size_t k = 0; k < n->leaves; k++) {
     Box b = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
     for (size_t i = LEAF * k; i < MIN(LEAF * (k + 1), count); i++) {
       Box p = box_of(&n->piece.data[i]);
       include(&b, p.lo, p.hi);
     }
-    n->node[n->leaves + k] = b;
+    box[n->leaves + k] = b;
   }
+  n->node = mem_alloc(n->leaves * sizeof *n->node);
   for (size_t k = n->leaves - 1; k > 0; k--) {
-    n->node[k] = n->node[2 * k];
-    include(&n->node[k], n->node[2 * k + 1].lo, n->node[2 * k + 1].hi);
+    box[k] = box[2 * k];
+    include(&box[k], box[2 * k + 1].lo, box[2 * k + 1].hi);
+    for (int c = 0; c < 2; c++) {
+      for (int i = 0; i < 3; i++) {
+        n->node[k].lo[c][i] = round_down(box[2 * k + (size_t)c].lo[i]);
+        n->node[k].hi[c][i] = round_up(box[2 * k + (size_t)c].hi[i]);
+      }
+    }
   }
+  double most = 0;
+  for (int i = 0; count && i < 3; i++) most = MAX(most, MAX(fabs(box[1].lo[i]), fabs(box[1].hi[i])));
+  n->zero2 = (4e-16 * most) * (4e-16 * most);
+  free(box);
 }
 
-// Squared distance from p to a box; infinite for the empty one.
-static inline double box_distance2(const Box *b, const double p[3])
+// Squared distance from p to the box of a child; infinite for an empty one.
+static inline double box_distance2(const Pair *b, int c, const double p[3])
 {
   double sum = 0;
   for (int i = 0; i < 3; i++) {
-    double d = MAX(MAX(b->lo[i] - p[i], p[i] - b->hi[i]), 0);
+    double d = MAX(MAX((double)b->lo[c][i] - p[i], p[i] - (double)b->hi[c][i]), 0);
     sum += d * d;
   }
   return sum;
@@ -135,11 +184,12 @@ static void try_leaf(const Nearest *n, uint32_t leaf, Vec3 p, Best *best)
     double t = vec3_dot(r, q->d) * q->inverse;
     t = t < 0 ? 0 : t > 1 ? 1 : t;
     Vec3 off = vec3_sub(r, vec3_scale(t, q->d));
-    double d2 = vec3_dot(off, off), u = q->u0 + t * (q->u1 - q->u0);
+    double d2 = vec3_dot(off, off), u = t;
     if (q->bulge > 0) {
       double least = sqrt(d2) - q->bulge;
       if (least > 0 && least * least >= best->d2) continue;
-      d2 = n->on_piece(n->ctx, q->curve, q->u0, q->u1, p, &u);
+      const Origin *o = &n->origin.data[i];
+      d2 = n->on_piece(n->ctx, o->curve, o->u0, o->u1, p, &u);
     }
     if (d2 < best->d2) *best = (Best){d2, (uint32_t)i, leaf, u};
   }
@@ -151,18 +201,19 @@ NearestHit nearest_query(const Nearest *n, Vec3 p, double limit, uint32_t leaf)
   double at[3] = {p.x, p.y, p.z};
   uint32_t skip = leaf < n->leaves ? leaf : NONE;
   if (skip != NONE) try_leaf(n, skip, p, &best);
+  if (n->leaves == 1 && skip == NONE) try_leaf(n, 0, p, &best);
   struct {
     uint32_t node;
     double d2;
   } stack[2 * MAX_LEVELS];
   int top = 0;
-  stack[top].node = 1, stack[top++].d2 = box_distance2(&n->node[1], at);
-  while (top) {
+  if (n->leaves > 1 && best.d2 > n->zero2) stack[top].node = 1, stack[top++].d2 = 0;
+  while (top && best.d2 > n->zero2) {
     uint32_t k = stack[--top].node;
     if (stack[top].d2 >= best.d2) continue;
     // Down to a leaf, keeping the farther children for later.
     while (k < n->leaves) {
-      double l = box_distance2(&n->node[2 * k], at), r = box_distance2(&n->node[2 * k + 1], at);
+      double l = box_distance2(&n->node[k], 0, at), r = box_distance2(&n->node[k], 1, at);
       bool left = l <= r;
       double far = left ? r : l, near = left ? l : r;
       if (far < best.d2) stack[top].node = 2 * k + left, stack[top++].d2 = far;
@@ -172,23 +223,26 @@ NearestHit nearest_query(const Nearest *n, Vec3 p, double limit, uint32_t leaf)
     if (k >= n->leaves && k - n->leaves != skip) try_leaf(n, (uint32_t)(k - n->leaves), p, &best);
   }
   if (best.piece == NONE) return (NearestHit){limit, NONE, 0, leaf};
-  return (NearestHit){sqrt(best.d2), n->piece.data[best.piece].curve, best.u, best.leaf};
+  const Origin *o = &n->origin.data[best.piece];
+  // Of a straight piece u is the fraction of its length.
+  double u = n->piece.data[best.piece].bulge > 0 ? best.u : o->u0 + best.u * (o->u1 - o->u0);
+  return (NearestHit){sqrt(best.d2), o->curve, u, best.leaf};
 }
 
 // ---- rays -----------------------------------------------------------------------------------------------------------------
 
 // Whether the ray p + t dir, t in [0, limit], meets the box.
-static bool ray_meets(const Box *b, const double p[3], const double dir[3], double limit)
+static bool ray_meets(const Pair *b, int c, const double p[3], const double dir[3], double limit)
 {
   double t0 = 0, t1 = limit;
   for (int i = 0; i < 3; i++) {
+    double lo = (double)b->lo[c][i] - p[i], hi = (double)b->hi[c][i] - p[i];
     if (dir[i] == 0) {
-      if (p[i] < b->lo[i] || p[i] > b->hi[i]) return false;
+      if (lo > 0 || hi < 0) return false;
       continue;
     }
-    double a = (b->lo[i] - p[i]) / dir[i], c = (b->hi[i] - p[i]) / dir[i];
-    t0 = fmax(t0, fmin(a, c));
-    t1 = fmin(t1, fmax(a, c));
+    t0 = fmax(t0, fmin(lo / dir[i], hi / dir[i]));
+    t1 = fmin(t1, fmax(lo / dir[i], hi / dir[i]));
   }
   // Boxes of planar pieces are flat across the plane: a rounding error there must not lose a hit.
   return t0 <= t1 * (1 + 1e-12) + 1e-300;
@@ -205,10 +259,9 @@ NearestHit nearest_ray(const Nearest *n, Vec3 p, Vec3 dir, Vec3 side, double fro
   stack[top++] = 1;
   while (top) {
     uint32_t k = stack[--top];
-    if (!ray_meets(&n->node[k], at, d, best)) continue;
     if (k < n->leaves) {
-      stack[top++] = 2 * k;
-      stack[top++] = 2 * k + 1;
+      for (int c = 0; c < 2; c++)
+        if (ray_meets(&n->node[k], c, at, d, best)) stack[top++] = 2 * k + (uint32_t)c;
       continue;
     }
     size_t first = LEAF * (k - n->leaves), end = MIN(first + LEAF, n->piece.len);
@@ -220,7 +273,8 @@ NearestHit nearest_ray(const Nearest *n, Vec3 p, Vec3 dir, Vec3 side, double fro
       double x = x0 + (x1 - x0) * (y0 / (y0 - y1));
       if (x <= from || x >= best) continue;
       best = x;
-      hit = (NearestHit){x, q->curve, q->u0 + (q->u1 - q->u0) * (y0 / (y0 - y1)), k - (uint32_t)n->leaves};
+      const Origin *o = &n->origin.data[i];
+      hit = (NearestHit){x, o->curve, o->u0 + (o->u1 - o->u0) * (y0 / (y0 - y1)), k - (uint32_t)n->leaves};
     }
   }
   return hit;
