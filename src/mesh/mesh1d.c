@@ -396,3 +396,19 @@ void mesh1d_set(Mesh1d *g, size_t k, const double *u, uint32_t n)
   mesh1d__positions(g->model, c, cm);
   sizes_from_edges(cm);
 }
+
+void mesh1d_limit_faces(const Mesh1d *g, SizeField *size)
+{
+  if (size_gradation(size) <= 0) return;
+  Vec(Vec3) p = {0};
+  DoubleVec h = {0};
+  for (size_t k = 0; k < g->ncurve; k++) {
+    for (uint32_t i = 0; i < g->curve[k].n; i++) {
+      vec_push(&p, g->curve[k].p[i]);
+      vec_push(&h, g->curve[k].h[i]);
+    }
+  }
+  size_limit_growth(size, p.data, h.data, p.len);
+  vec_free(&p);
+  vec_free(&h);
+}

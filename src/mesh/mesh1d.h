@@ -51,6 +51,9 @@ void mesh1d_set(Mesh1d *g, size_t k, const double *u, uint32_t n);
 // Find and remove crossings again after other changes: as the last step of mesh1d_new. False after errors.
 bool mesh1d_untangle(Mesh1d *g, const Options *opt, Diag *diag);
 
+// With Mesh.SizeGradation: let the sizes at all nodes limit those inside faces (size_limit_growth).
+void mesh1d_limit_faces(const Mesh1d *g, SizeField *size);
+
 // The transfinite laws: fill s[n] with the fractions of the length of n nodes, 0 first and 1 last. coef as on Curve.
 void law_fractions(TransfiniteLaw law, double coef, uint32_t n, double *s);
 

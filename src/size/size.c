@@ -91,6 +91,7 @@ void size_free(SizeField *s)
   }
   free(s->node);
   map_free(&s->node_of);
+  cones_free(s->cones);
   vec_free(&s->curve_first);
   vec_free(&s->curve_list);
   free(s);
@@ -239,7 +240,8 @@ double size_on_curve(SizeEval *e, const Curve *c, double u, Vec3 p)
 
 double size_in_face(SizeEval *e, const Face *f, Vec3 p)
 {
-  return with_field(e, e->s->diagonal, p, (Where){2, f ? f->tag : 0});
+  double h = with_field(e, e->s->diagonal, p, (Where){2, f ? f->tag : 0});
+  return e->s->cones ? cones_at(e->s->cones, p, h) : h;
 }
 
 // Field values at n places, in blocks.
@@ -272,15 +274,17 @@ void size_in_face_batch(SizeEval *e, const Face *f, const Vec3 *p, size_t n, dou
   Where w = {2, f ? f->tag : 0};
   if (s->root == NONE) {
     for (size_t i = 0; i < n; i++) h[i] = clamp_and_scale(s, s->diagonal);
-    return;
+  } else {
+    field_batch(e, w, p, n, h);
+    for (size_t i = 0; i < n; i++) h[i] = combine(e, s->diagonal, h[i], p[i], w);
   }
-  field_batch(e, w, p, n, h);
-  for (size_t i = 0; i < n; i++) h[i] = combine(e, s->diagonal, h[i], p[i], w);
+  for (size_t i = 0; s->cones && i < n; i++) h[i] = cones_at(s->cones, p[i], h[i]);
 }
 
 bool size_is_constant(const SizeField *s, const Face *f, double *h)
 {
   double v = NO_SIZE;
+  if (s->cones) return false;
   if (s->root != NONE) {
     const Node *n = &s->node[s->root];
     if (!n->ops->constant || !n->ops->constant(s, n, (Where){2, f ? f->tag : 0}, &v)) return false;
@@ -288,6 +292,70 @@ bool size_is_constant(const SizeField *s, const Face *f, double *h)
   }
   *h = clamp_and_scale(s, fmin(s->diagonal, v));
   return true;
+}
+
+// ---- growth inside faces ----------------------------------------------------------------------------------------------------
+
+typedef struct {
+  SizeEval *e;
+  const Face *f;
+  Vec(Vec3) p;
+  DoubleVec h;
+  size_t most;
+} Sampling;
+
+// Samples at the centres of a quadtree whose cells are not wider than the size in their centre.
+static void sample_cell(Sampling *a, Vec2 centre, double half, int level)
+{
+  enum { LEAST_LEVEL = 4, LAST_LEVEL = 20 };
+  Vec3 p = face_from_plane(a->f, centre);
+  double h = size_in_face(a->e, a->f, p);
+  if (level >= LAST_LEVEL || a->h.len >= a->most || (level >= LEAST_LEVEL && 2 * half <= h)) {
+    vec_push(&a->p, p);
+    vec_push(&a->h, h);
+    return;
+  }
+  for (int k = 0; k < 4; k++)
+    sample_cell(a, (Vec2){centre.x + (k & 1 ? half : -half) / 2, centre.y + (k & 2 ? half : -half) / 2}, half / 2, level + 1);
+}
+
+static void sample_face(Sampling *a, const Model *m, const Face *f)
+{
+  double lo[2] = {INFINITY, INFINITY}, hi[2] = {-INFINITY, -INFINITY};
+  for (int i = 0; i < f->nloop; i++) {
+    const Loop *loop = model_loop(m, f->loop[i]);
+    for (int k = 0; loop && k < loop->ncurve; k++) {
+      const Curve *c = model_curve(m, loop->curve[k]);
+      if (!c) continue;
+      for (int j = 0; j <= 16; j++) {
+        Vec2 q = face_to_plane(f, curve_point(m, c, j / 16.0));
+        lo[0] = fmin(lo[0], q.x), hi[0] = fmax(hi[0], q.x);
+        lo[1] = fmin(lo[1], q.y), hi[1] = fmax(hi[1], q.y);
+      }
+    }
+  }
+  if (!(lo[0] <= hi[0])) return;
+  a->f = f;
+  a->most = a->h.len + ((size_t)1 << 20);
+  sample_cell(a, (Vec2){(lo[0] + hi[0]) / 2, (lo[1] + hi[1]) / 2}, fmax(hi[0] - lo[0], hi[1] - lo[1]) / 2, 0);
+}
+
+void size_limit_growth(SizeField *s, const Vec3 *p, const double *h, size_t n)
+{
+  if (s->gradation <= 0 || s->cones) return;
+  Sampling a = {0};
+  for (size_t i = 0; i < n; i++) {
+    vec_push(&a.p, p[i]);
+    vec_push(&a.h, h[i]);
+  }
+  if (s->root != NONE) {
+    a.e = size_eval_new(s);
+    for (size_t k = 0; k < model_faces(s->model); k++) sample_face(&a, s->model, model_face_at(s->model, k));
+    size_eval_free(a.e);
+  }
+  s->cones = cones_new(a.p.data, a.h.data, a.p.len, s->gradation);
+  vec_free(&a.p);
+  vec_free(&a.h);
 }
 
 double size_in_plane(void *ctx, Vec2 p)

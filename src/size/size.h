@@ -60,6 +60,11 @@ double size_factor(const SizeField *s);   // MeshSizeFactor
 // Whether Mesh.SizeGradation limits sizes, and its slope alpha - 1; else 0 (curves then use SmoothRatio).
 double size_gradation(const SizeField *s);
 
+// Limit the growth of sizes inside faces too: from now on size_in_face is at most h[i] + slope * |x - p[i]| for the n places given
+// (nodes of curves with their graded sizes), and for samples of the background field taken as densely as its sizes. No effect
+// unless Mesh.SizeGradation is set. No evaluator may exist yet. O(n + samples), at most 2^20 of them a face.
+void size_limit_growth(SizeField *s, const Vec3 *p, const double *h, size_t n);
+
 // Which rule fixed the size at a place of the plane of f (NULL: of any entity), as an indented text through the tree of fields.
 void size_explain(SizeEval *e, const Face *f, Vec3 p, Str *out);
 // The name of what gives the smallest size at p: "Field[3] (Threshold), line 12", "MeshSizeMax", ...

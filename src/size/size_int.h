@@ -3,6 +3,7 @@
 #ifndef SIZE_SIZE_INT_H
 #define SIZE_SIZE_INT_H
 
+#include "geom/cones.h"
 #include "geom/nearest.h"
 #include "size/field_int.h"
 #include "size/size.h"
@@ -56,6 +57,7 @@ struct SizeField {
   uint32_t nnode, cap_node;
   uint32_t root;        // the background field's node, or NONE
   U32Vec curve_first, curve_list; // curves at the k-th point: curve_list[curve_first[k] .. curve_first[k+1])
+  Cones *cones;         // Mesh.SizeGradation in faces; NULL: none
   // while compiling
   Map node_of;          // field id -> node
   const OpenField *open;

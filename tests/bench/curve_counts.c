@@ -41,6 +41,7 @@ static int run(const char *path, bool verbose)
     if (g->curve[k].n) total += g->curve[k].n - 1;
     if (verbose) printf("%d %d\n", model_curve_at(m, k)->tag, g->curve[k].n ? (int)g->curve[k].n - 1 : 0);
   }
+  if (g && g->rounds) printf("%u rounds, %u edges halved\n", g->rounds, g->nsplit);
   if (g) printf("%s %zu edges, read %.3f size %.3f mesh %.3f s\n", path, total, t1 - t0, t2 - t1, t3 - t2);
   else printf("%s failed\n", path);
   mesh1d_free(g);

@@ -304,6 +304,37 @@ static void gradation_of_the_whole_mesh(void **state)
   end(&t);
 }
 
+static void gradation_reaches_into_faces(void **state)
+{
+  (void)state;
+  Case t = begin();
+  square(&t, 0.2, 1);
+  model_set_size(t.m, (int[]){1}, 1, 0.01);
+  face(&t, 1, 4, (int[]){1, 2, 3, 4});
+  t.o.Mesh_SizeGradation = 1.15;
+  field_create(t.f, 1, "Ball", NO_LOC, t.diag); // a jump of the field
+  field_set_number(t.f, 1, "VIn", 0.02, NO_LOC, t.diag);
+  field_set_number(t.f, 1, "Radius", 0.1, NO_LOC, t.diag);
+  field_set_number(t.f, 1, "XCenter", 0.6, NO_LOC, t.diag);
+  field_set_number(t.f, 1, "YCenter", 0.6, NO_LOC, t.diag);
+  fields_set_background(t.f, 1, NO_LOC);
+  assert_true(run(&t));
+  mesh1d_limit_faces(t.g, t.s);
+  SizeEval *e = size_eval_new(t.s);
+  const Face *f = model_face(t.m, 1);
+  NEAR(size_in_face(e, f, (Vec3){0.6, 0.6, 0}), 0.02, 1e-15);
+  assert_true(size_in_face(e, f, (Vec3){0.001, 0.001, 0}) < 0.011);
+  Rng rng = {8};
+  for (int i = 0; i < 2000; i++) {
+    Vec3 a = {rng_double(&rng), rng_double(&rng), 0}, b = {a.x + 0.2 * rng_double(&rng), a.y + 0.2 * rng_double(&rng), 0};
+    double ha = size_in_face(e, f, a), hb = size_in_face(e, f, b);
+    // Exact away from the jump, whose samples are as far apart as the size in it.
+    assert_true(fabs(ha - hb) <= 0.15 * vec3_distance(a, b) + 0.15 * 0.03);
+  }
+  size_eval_free(e);
+  end(&t);
+}
+
 // ---- prescribed -------------------------------------------------------------------------------------------------------------
 
 static void transfinite_and_copies(void **state)
@@ -535,6 +566,7 @@ int main(void)
     cmocka_unit_test(threads_do_not_show),
     cmocka_unit_test(least_counts),
     cmocka_unit_test(gradation_of_the_whole_mesh),
+    cmocka_unit_test(gradation_reaches_into_faces),
     cmocka_unit_test(transfinite_and_copies),
     cmocka_unit_test(extruded_layers),
     cmocka_unit_test(recombined_faces_have_even_boundaries),
