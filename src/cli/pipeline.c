@@ -103,6 +103,7 @@ static bool generate(Job *j, int dim)
   if (!size) return false;
   stage_begin(&j->stats, "mesh 1D");
   j->curves = mesh1d_new(j->model, &j->options, size, j->diag);
+  if (j->curves && dim >= 2) mesh1d_limit_faces(j->curves, size);
   stage_end(&j->stats);
   if (j->curves) {
     EdgeNodes en;
@@ -405,6 +406,29 @@ static ExitCode finish(Job *j)
   return status;
 }
 
+// -explain_size x,y: on standard output.
+static ExitCode explain_size(Job *j)
+{
+  double x, y;
+  char rest;
+  if (sscanf(j->cli->explain, "%lf,%lf%c", &x, &y, &rest) != 2) {
+    diag_error(j->diag, NO_LOC, "-explain_size needs two numbers: x,y");
+    return EXIT_USAGE;
+  }
+  if (!model_prepare(j->model, j->options.Geometry_Tolerance, j->diag)) return EXIT_INPUT;
+  SizeField *size = size_new(j->model, &j->options, j->fields, j->diag);
+  if (!size) return EXIT_INPUT;
+  SizeEval *e = size_eval_new(size);
+  Str text = {0};
+  size_explain(e, size_face_at(j->model, (Vec3){x, y, 0}), (Vec3){x, y, 0}, &text);
+  fputs(str_text(&text), stdout);
+  ExitCode status = size_eval_report(e, j->diag) ? EXIT_INPUT : EXIT_GOOD;
+  str_free(&text);
+  size_eval_free(e);
+  size_free(size);
+  return status;
+}
+
 static int action_dim(CommandId action) { return action == CMD_MESH1 ? 1 : action == CMD_MESH3 ? 3 : 2; }
 
 static ExitCode run_geo(Job *j)
@@ -417,6 +441,11 @@ static ExitCode run_geo(Job *j)
   stage_end(&j->stats);
   if (j->ended && status == EXIT_GOOD && script_exit_code(j->script) > 0) return (ExitCode)script_exit_code(j->script);
   if (status != EXIT_GOOD || j->ended || action == CMD_PARSE) return status;
+  if (j->cli->bgm && !fields_read_background(j->fields, j->cli->bgm, j->diag)) return EXIT_INPUT;
+  if (j->cli->explain) {
+    status = explain_size(j);
+    if (status != EXIT_GOOD || !j->cli->action_given) return status; // a question alone makes no mesh
+  }
   if (action == CMD_MESH0) return write_model(j);
   if (action == CMD_SAVE) {
     if (!j->mesh) diag_error(j->diag, NO_LOC, "-save: the script makes no mesh");

@@ -82,6 +82,36 @@ static void explain_node(SizeEval *e, uint32_t k, Where w, Vec3 p, int depth, bo
   }
 }
 
+// Crossings of the ray to the right of q with the loops of f, in its plane.
+static int count_crossings(const Model *m, const Face *f, Vec2 q)
+{
+  enum { CHORDS = 32 };
+  int n = 0;
+  for (int i = 0; i < f->nloop; i++) {
+    const Loop *loop = model_loop(m, f->loop[i]);
+    for (int k = 0; loop && k < loop->ncurve; k++) {
+      const Curve *c = model_curve(m, loop->curve[k]);
+      if (!c) continue;
+      Vec2 a = face_to_plane(f, curve_point(m, c, 0));
+      for (int j = 1; j <= CHORDS; j++) {
+        Vec2 b = face_to_plane(f, curve_point(m, c, (double)j / CHORDS));
+        if ((a.y > q.y) != (b.y > q.y) && a.x + (b.x - a.x) * ((q.y - a.y) / (b.y - a.y)) > q.x) n++;
+        a = b;
+      }
+    }
+  }
+  return n;
+}
+
+const Face *size_face_at(const Model *m, Vec3 p)
+{
+  for (size_t k = 0; k < model_faces(m); k++) {
+    const Face *f = model_face_at(m, k);
+    if (f->planar && count_crossings(m, f, face_to_plane(f, p)) % 2) return f;
+  }
+  return NULL;
+}
+
 static const char *bound_in_force(const SizeField *s, double wish)
 {
   if (wish < s->lo) return "Mesh.MeshSizeMin";

@@ -65,6 +65,8 @@ double size_gradation(const SizeField *s);
 // unless Mesh.SizeGradation is set. No evaluator may exist yet. O(n + samples), at most 2^20 of them a face.
 void size_limit_growth(SizeField *s, const Vec3 *p, const double *h, size_t n);
 
+// The face of lowest tag that contains p (on its boundary as on curves of 32 chords), or NULL: for explanations.
+const Face *size_face_at(const Model *m, Vec3 p);
 // Which rule fixed the size at a place of the plane of f (NULL: of any entity), as an indented text through the tree of fields.
 void size_explain(SizeEval *e, const Face *f, Vec3 p, Str *out);
 // The name of what gives the smallest size at p: "Field[3] (Threshold), line 12", "MeshSizeMax", ...
