@@ -10,7 +10,7 @@
 #include "quad/quad_mesh.h"
 
 enum { MAX_PATCH = 64, MAX_CORE = 8 };
-static const double PI = 3.14159265358979323846, FLOOR = 0.5, BAD = 0.3, GAIN = 0.01;
+static const double PI = 3.14159265358979323846, FLOOR = 0.5, BAD = 0.3, GAIN = 0.01, HOPE = 0;
 
 // The elements around some vertices (the core), before and after.
 typedef struct {
@@ -21,7 +21,9 @@ typedef struct {
   size_t ncore;
   Vec2 old[MAX_CORE];
   double before;
+  double energy;                  // sum of (1 - shape)^2 before
   bool strict;                    // the worst element has to get better
+  bool neutral;                   // valences gain nothing: the energy has to fall
 } Patch;
 
 typedef struct {
@@ -45,7 +47,8 @@ static bool patch_begin(const Clean *c, Patch *p, const uint32_t *core, size_t n
   p->n = 0;
   p->ncore = ncore;
   p->before = 1;
-  p->strict = false;
+  p->strict = p->neutral = false;
+  p->energy = 0;
   for (size_t i = 0; i < ncore; i++) {
     uint32_t v = core[i];
     if (c->touched[v]) return false;
@@ -59,7 +62,9 @@ static bool patch_begin(const Clean *c, Patch *p, const uint32_t *core, size_t n
       if (p->n == MAX_PATCH) return false;
       p->element[p->n] = e;
       for (int q = 0; q < 4; q++) p->corner[4 * p->n + (size_t)q] = m->vertex.data[4 * (size_t)e + (size_t)q];
-      p->before = fmin(p->before, quad__shape(m->xy.data, &p->corner[4 * p->n]));
+      double shape = quad__shape(m->xy.data, &p->corner[4 * p->n]);
+      p->before = fmin(p->before, shape);
+      p->energy += (1 - shape) * (1 - shape);
       p->n++;
     }
   }
@@ -92,12 +97,16 @@ static size_t patch_star(const Patch *p, uint32_t v, uint32_t *corner)
   return n;
 }
 
-static double patch_worst(const Patch *p, const Vec2 *xy)
+static QuadScore patch_score(const Patch *p, const Vec2 *xy)
 {
-  double worst = 1;
-  for (size_t i = 0; i < p->n; i++)
-    if (p->corner[4 * i] != NONE) worst = fmin(worst, quad__shape(xy, &p->corner[4 * i]));
-  return worst;
+  QuadScore s = {1, 0};
+  for (size_t i = 0; i < p->n; i++) {
+    if (p->corner[4 * i] == NONE) continue;
+    QuadScore one = quad__score(xy, &p->corner[4 * i], 1);
+    s.worst = fmin(s.worst, one.worst);
+    s.energy += one.energy;
+  }
+  return s;
 }
 
 static bool patch_valid(const Patch *p, const Vec2 *xy)
@@ -121,7 +130,9 @@ static bool patch_end(Clean *c, Patch *p)
       size_t n = patch_star(p, p->core[i], corner);
       if (n) quad__improve(m->xy.data, p->core[i], corner, n, sweep < 2 ? 3 : 5);
     }
-  if (patch_worst(p, m->xy.data) < enough || !patch_valid(p, m->xy.data)) {
+  QuadScore now = patch_score(p, m->xy.data);
+  bool gained = !p->neutral || now.energy < p->energy - GAIN;
+  if (now.worst < enough || !gained || !patch_valid(p, m->xy.data)) {
     for (size_t i = 0; i < p->ncore; i++) m->xy.data[p->core[i]] = p->old[i];
     return false;
   }
@@ -242,7 +253,8 @@ static bool turn_edge(Clean *c, uint32_t s, int way)
            cost_of(c, n1, valence(c, n1));
   after = cost_of(c, p0, valence(c, p0) - 1) + cost_of(c, p3, valence(c, p3) - 1) + cost_of(c, n0, valence(c, n0) + 1) +
           cost_of(c, n1, valence(c, n1) + 1);
-  bool strict = after >= before;
+  // Equal valences: a pair of irregular vertices moves together, if the shapes gain.
+  bool neutral = after == before && before > 0 && after < 100, strict = after >= before && !neutral;
   if ((strict && (after >= 100 || (!is_bad(c, e) && !is_bad(c, f)))) || joined(c, n0, n1)) return false;
   for (int i = 0; i < 6; i++)
     for (int j = 0; j < i; j++)
@@ -250,11 +262,14 @@ static bool turn_edge(Clean *c, uint32_t s, int way)
   Patch p;
   if (!patch_begin(c, &p, h, 6)) return false;
   p.strict = strict;
+  p.neutral = neutral;
   uint32_t *a = patch_element(&p, e), *b = patch_element(&p, f), first = way ? 2 : 1;
   for (uint32_t i = 0; i < 4; i++) {
     a[i] = h[(first + i) % 6];
     b[i] = h[(first + 3 + i) % 6];
   }
+  // Most neutral turns are hopeless; do not search for places there.
+  if (neutral && fmin(quad__shape(m->xy.data, a), quad__shape(m->xy.data, b)) < HOPE) return false;
   return patch_end(c, &p);
 }
 

@@ -76,7 +76,7 @@ void quad__stars_free(QuadStars *s)
 // ---- moving one vertex
 
 // Better: the worst improves, or stays (or remains above GOOD) while the energy falls.
-static const double GOOD = 0.6, LEAST_GAIN = 1e-9;
+static const double GOOD = 0.5, LEAST_GAIN = 1e-9;
 
 static bool better(QuadScore a, QuadScore b)
 {
