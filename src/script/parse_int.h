@@ -14,7 +14,10 @@ Token parse__advance(Parser *p); // returns the token that was next
 bool parse__accept(Parser *p, int kind);
 Token parse__expect(Parser *p, int kind, const char *what);
 static inline bool parse__at(const Parser *p, int kind) { return p->tok.kind == kind; }
-static inline bool parse__at_word(const Parser *p, Keyword k) { return p->tok.kind == TOK_WORD && p->tok.word == k; }
+static inline bool parse__at_word(const Parser *p, Keyword k)
+{
+  return p->tok.kind == TOK_WORD && p->tok.word == k;
+}
 bool parse__accept_word(Parser *p, Keyword k);
 Token parse__peek(const Parser *p); // the token after the next
 void parse__open(Parser *p);        // count a brace; fails beyond LIMIT_NESTING
@@ -30,24 +33,25 @@ char *parse__text(Parser *p, Token t);
 // 0..3 for Point, Line/Curve, Surface, Volume, else -1.
 int parse__dimension(const Parser *p);
 
-Node *parse__expr(Parser *p);          // any expression, number, list or text
-Node *parse__number(Parser *p);        // not a list
-Node *parse__list(Parser *p);          // a list, or a number taken as a list of one
-Node *parse__list_value(Parser *p);    // the right side of an assignment
-Node *parse__list_or_all(Parser *p);   // also {:} and a string "*"
+Node *parse__expr(Parser *p);        // any expression, number, list or text
+Node *parse__number(Parser *p);      // not a list
+Node *parse__list(Parser *p);        // a list, or a number taken as a list of one
+Node *parse__list_value(Parser *p);  // the right side of an assignment
+Node *parse__list_or_all(Parser *p); // also {:} and a string "*"
 Node *parse__braced_numbers(Parser *p, const char *what);
-Node *parse__primary(Parser *p);       // a value without operators around it
+Node *parse__primary(Parser *p);          // a value without operators around it
 Node *parse__braces(Parser *p, bool all); // {a, b, ...}; {:} too if `all`
-Node *parse__name(Parser *p);          // identifier, name~{..}, StringToName[..]
-Node *parse__command(Parser *p);       // Translate.. Extrude.. Boundary.. or NULL if none begins here
-Node *parse__shapes(Parser *p);        // { Point{..}; ... }
+Node *parse__name(Parser *p);             // identifier, name~{..}, StringToName[..]
+Node *parse__command(Parser *p);          // Translate.. Extrude.. Boundary.. or NULL if none begins here
+Node *parse__shapes(Parser *p);           // { Point{..}; ... }
 Node *parse__parameter_tail(Parser *p, Node *value, NodeKind kind, Node *target, SrcLoc loc, int close);
-Node *parse__statement(Parser *p);     // one statement with its ';'; fails through p->on_error
+Node *parse__statement(Parser *p);       // one statement with its ';'; fails through p->on_error
 Node *parse__block_statement(Parser *p); // For, If or Macro, the next token
 Node *parse__define_constant(Parser *p);
 Node *parse__view(Parser *p, SrcLoc loc);
 Node *parse__unsupported(Parser *p, Token t, const char *why); // the rest of a statement that begins with t
-Node *parse__word_node(Parser *p, NodeKind kind, SrcLoc loc, uint32_t word, size_t base); // collect, with a word
+Node *parse__word_node(Parser *p, NodeKind kind, SrcLoc loc, uint32_t word,
+                       size_t base); // collect, with a word
 void parse__push(Parser *p, Node *n);
 Node *parse__tag(Parser *p); // "(" number ")"
 Node *parse__definition(Parser *p, Token kind, uint32_t word, int op);
@@ -67,7 +71,7 @@ Node *parse__field(Parser *p);
 Node *parse__plugin(Parser *p);
 Node *parse__background(Parser *p);
 bool parse__ends_block(const Parser *p);
-void parse__semicolon(Parser *p);      // the end of a statement
+void parse__semicolon(Parser *p);             // the end of a statement
 void parse__superfluous_semicolon(Parser *p); // a ';' after something that needs none: a warning
 
 #endif

@@ -7,7 +7,8 @@
 #include "base/diag.h"
 #include "base/mem.h"
 
-// The keywords; their ids are the first of every word table. A SYNONYM's id is not used: it reads as its meaning.
+// The keywords; their ids are the first of every word table. A SYNONYM's id is not used: it reads as its
+// meaning.
 typedef enum {
 #define RESERVED(word) KW_##word,
 #define SOFT(word) KW_##word,
@@ -21,7 +22,8 @@ typedef enum {
 
 bool keyword_reserved(uint32_t word);
 
-// Interned identifiers: equal texts have equal ids, counted from 0 in order of first appearance, keywords first.
+// Interned identifiers: equal texts have equal ids, counted from 0 in order of first appearance, keywords
+// first.
 typedef struct {
   Vec(char *) text;
   U32Vec hash;
@@ -40,12 +42,27 @@ static inline const char *words_text(const Words *w, uint32_t id) { return w->te
 
 // Kinds above 255; a single-character token is its character.
 typedef enum {
-  TOK_END = 256, TOK_NUMBER, TOK_WORD, TOK_STRING, TOK_BAD,
-  TOK_RANGE,       // ':' or "..."
-  TOK_SCOPE,       // ::
-  TOK_ADD_TO, TOK_SUB_FROM, TOK_MUL_BY, TOK_DIV_BY, // += -= *= /=
-  TOK_INC, TOK_DEC,
-  TOK_EQ, TOK_NE, TOK_LE, TOK_GE, TOK_AND, TOK_OR, TOK_SHIFT_LEFT, TOK_SHIFT_RIGHT,
+  TOK_END = 256,
+  TOK_NUMBER,
+  TOK_WORD,
+  TOK_STRING,
+  TOK_BAD,
+  TOK_RANGE, // ':' or "..."
+  TOK_SCOPE, // ::
+  TOK_ADD_TO,
+  TOK_SUB_FROM,
+  TOK_MUL_BY,
+  TOK_DIV_BY, // += -= *= /=
+  TOK_INC,
+  TOK_DEC,
+  TOK_EQ,
+  TOK_NE,
+  TOK_LE,
+  TOK_GE,
+  TOK_AND,
+  TOK_OR,
+  TOK_SHIFT_LEFT,
+  TOK_SHIFT_RIGHT,
 } TokenKind;
 
 typedef struct {
@@ -65,7 +82,8 @@ typedef struct {
   const char *problem; // of the last TOK_BAD: what is wrong
 } Lexer;
 
-// text must outlive the lexer. Bytes above 127 may stand in strings and comments only. A byte order mark is skipped.
+// text must outlive the lexer. Bytes above 127 may stand in strings and comments only. A byte order mark is
+// skipped.
 void lexer_init(Lexer *l, Words *words, uint32_t file, const char *text, size_t len);
 // The next token; TOK_END for ever at the end. Amortized O(length).
 Token lexer_next(Lexer *l);
