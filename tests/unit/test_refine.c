@@ -157,6 +157,30 @@ static void test_every_strategy_keeps_the_boundary(void **state)
   }
 }
 
+static void test_optimization_never_worsens_the_worst(void **state)
+{
+  (void)state;
+  for (int k = 0; k < NCASES; k++) {
+    for (int a = REFINE_DELAUNAY; a <= REFINE_FRONTAL; a++) {
+      double least[3];
+      for (int level = 0; level <= 2; level++) {
+        Domain d;
+        make_domain(&d, k, 0.03);
+        Tri m;
+        empty_mesh(&d, &m);
+        TriRefineParams p = tri_refine_defaults();
+        p.algorithm = (RefineAlgorithm)a, p.optimize = level, p.smoothing = level > 0;
+        tri_refine(&m, &p);
+        least[level] = measure(&m, NULL, NULL).gamma_min;
+        tri_free(&m);
+        vec_free(&d.xy), vec_free(&d.ends);
+      }
+      // A triangle may get worse while its star gets better, but no further than 0.9.
+      assert_true(least[1] >= fmin(least[0], 0.9) - 1e-12 && least[2] >= fmin(least[0], 0.9) - 1e-12);
+    }
+  }
+}
+
 static double wave(void *ctx, Vec2 p) { return *(double *)ctx * (0.1 + 0.08 * sin(3 * p.x) * cos(6 * p.y)); }
 static double constant(void *ctx, Vec2 p) { return (void)p, *(double *)ctx; }
 
@@ -406,6 +430,7 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_every_strategy_keeps_the_boundary),
+      cmocka_unit_test(test_optimization_never_worsens_the_worst),
       cmocka_unit_test(test_quality_of_the_square),
       cmocka_unit_test(test_sizes_of_a_field_are_met),
       cmocka_unit_test(test_a_small_dip_of_the_field_is_not_missed),
