@@ -308,7 +308,16 @@ static void add_embedded(const Planner *p, FaceLayers *f, const Face *face)
   vec_free(&seg);
 }
 
-static void plan_face(const Planner *p, FaceLayers *f, const Face *face)
+// ---- walks round the face -------------------------------------------------------------------------------------------------
+// Loops may touch: at a point where several segments leave, the walk with the face on its left goes on along the first one to
+// the right of the way back.
+typedef struct {
+  SegVec seg;      // of all loops, each with the face on its left
+  IntVec start;    // point tag where it begins, 0 inside a curve
+  U32Vec next;
+} Walk;
+
+static void collect(const Planner *p, const Face *face, Walk *w)
 {
   IntVec curve = {0}, start = {0};
   face_boundary(p->m, face, &curve, &start);
@@ -317,13 +326,83 @@ static void plan_face(const Planner *p, FaceLayers *f, const Face *face)
     for (int i = start.data[l]; i < start.data[l + 1]; i++) add_curve_segments(p, face, curve.data[i], &seg);
     double area = area_of(&seg);
     if (l == 0 ? area < 0 : area > 0) turn_round(&seg);
-    add_chains(p, f, &seg);
-    add_walls(f, &seg);
+    size_t first = w->seg.len;
+    for (size_t i = 0; i < seg.len; i++) {
+      vec_push(&w->seg, seg.data[i]);
+      vec_push(&w->start, point_tag(p, &seg.data[i]));
+      vec_push(&w->next, (uint32_t)(first + (i + 1) % seg.len));
+    }
     vec_free(&seg);
   }
-  add_embedded(p, f, face);
   vec_free(&curve);
   vec_free(&start);
+}
+
+// Angle from the way back along `in` clockwise to `out`, in (0, 2 pi].
+static double clockwise(const Seg *in, const Seg *out)
+{
+  Vec2 back = vec2_sub(in->a, in->b), go = vec2_sub(out->b, out->a);
+  double angle = -atan2(vec2_cross(back, go), vec2_dot(back, go));
+  return angle > 1e-12 ? angle : angle + 2 * PI;
+}
+
+static void relink(const Walk *w, const U32Vec *out)
+{
+  U32Vec chosen = {0}, from = {0};
+  for (uint32_t i = 0; i < w->next.len; i++) {
+    bool here = false;
+    for (size_t k = 0; k < out->len && !here; k++) here = w->next.data[i] == out->data[k];
+    if (!here) continue;
+    uint32_t best = out->data[0];
+    for (size_t k = 1; k < out->len; k++)
+      if (clockwise(&w->seg.data[i], &w->seg.data[out->data[k]]) < clockwise(&w->seg.data[i], &w->seg.data[best])) best = out->data[k];
+    vec_push(&from, i);
+    vec_push(&chosen, best);
+  }
+  bool distinct = true;
+  for (size_t i = 0; i < chosen.len; i++)
+    for (size_t k = 0; k < i; k++) distinct = distinct && chosen.data[i] != chosen.data[k];
+  for (size_t i = 0; i < chosen.len && distinct; i++) w->next.data[from.data[i]] = chosen.data[i];
+  vec_free(&chosen);
+  vec_free(&from);
+}
+
+static void relink_all(const Walk *w)
+{
+  for (uint32_t i = 0; i < w->start.len; i++) {
+    U32Vec out = {0};
+    bool first = w->start.data[i] != 0;
+    for (uint32_t k = 0; k < w->start.len && first; k++) {
+      if (w->start.data[k] != w->start.data[i]) continue;
+      if (k < i) first = false; // done already
+      vec_push(&out, k);
+    }
+    if (first && out.len > 1) relink(w, &out);
+    vec_free(&out);
+  }
+}
+
+static void plan_face(const Planner *p, FaceLayers *f, const Face *face)
+{
+  Walk w = {0};
+  collect(p, face, &w);
+  relink_all(&w);
+  bool *seen = mem_zalloc(w.seg.len);
+  for (uint32_t i = 0; i < w.seg.len; i++) {
+    SegVec ring = {0};
+    for (uint32_t k = i; !seen[k]; k = w.next.data[k]) {
+      seen[k] = true;
+      vec_push(&ring, w.seg.data[k]);
+    }
+    add_chains(p, f, &ring);
+    vec_free(&ring);
+  }
+  add_walls(f, &w.seg);
+  add_embedded(p, f, face);
+  free(seen);
+  vec_free(&w.seg);
+  vec_free(&w.start);
+  vec_free(&w.next);
   f->quads = face->recombine || p->opt->Mesh_RecombineAll;
 }
 
