@@ -1,0 +1,85 @@
+#!/bin/bash
+# structured.sh - what scripts can ask of transfinite and extruded faces, subdivision, order and periodicity, and what is said when it
+# cannot be
+. "$(dirname "$0")/lib.sh"
+square='Point(1)={0,0,0,.1};Point(2)={1,0,0,.1};Point(3)={1,1,0,.1};Point(4)={0,1,0,.1};
+Line(1)={1,2};Line(2)={2,3};Line(3)={3,4};Line(4)={4,1};Curve Loop(1)={1:4};Plane Surface(1)={1};'
+disc='Point(1)={0,0,0,.3};Point(2)={1,0,0,.3};Point(3)={0,1,0,.3};Point(4)={-1,0,0,.3};Point(5)={0,-1,0,.3};
+Circle(1)={2,1,3};Circle(2)={3,1,4};Circle(3)={4,1,5};Circle(4)={5,1,2};Curve Loop(1)={1:4};Plane Surface(1)={1};'
+mesh() { # SCRIPT ARGS...: mesh it to a.msh; the report's first lines stay in $out
+  printf '%s\n' "$1" >a.geo
+  shift
+  exits "${want:-0}" "${name:?}" "$MESHGEN" -2 a.geo -format msh2 -o a.msh "$@"
+}
+
+# ---- grids ----
+name="a grid of 3 x 5"
+mesh "$square Transfinite Curve{1,3}=4;Transfinite Curve{2,4}=6;Transfinite Surface{1};Recombine Surface{1};"
+prints "24 nodes, 16 lines, 0 triangles, 15 quadrangles" "a grid has nu * nv cells"
+name="sides that do not match"
+mesh "$square Transfinite Curve{1}=4;Transfinite Curve{2:4}=6;Transfinite Surface{1};"
+says "opposite sides have 3 and 5, 5 and 5 elements" "unequal sides are named, and the face is meshed all the same"
+name="holes in a grid"
+mesh "$square Point(11)={.3,.3,0,.1};Point(12)={.6,.3,0,.1};Point(13)={.4,.6,0,.1};Line(11)={11,12};Line(12)={12,13};Line(13)={13,11};
+Curve Loop(2)={11:13};Plane Surface(2)={1,2};Delete{Surface{1};} Transfinite Surface{2};"
+says "it has holes" "a face with holes is no grid"
+name="a point in a grid"
+mesh "$square Transfinite Curve{1:4}=6;Transfinite Surface{1};Point(9)={.31,.43,0,.05};Point{9} In Surface{1};"
+says "embedded in it" "a grid has no place for embedded points"
+name="a corner that is none"
+mesh "$square Point(9)={.5,.5,0,.1};Transfinite Surface{1}={1,2,3,9};"
+says "is not on its boundary" "corners must lie on the boundary"
+name="a folded grid"
+mesh 'Point(1)={0,0,0,1};Point(2)={4,0,0,1};Point(3)={4,4,0,1};Point(4)={3.5,0.3,0,1};
+Line(1)={1,2};Line(2)={2,3};Line(3)={3,4};Line(4)={4,1};Curve Loop(1)={1:4};Plane Surface(1)={1};Transfinite Curve{1:4}=9;Transfinite Surface{1};'
+check "a concave grid is unfolded or given up, never folded" "$MESHGEN" check a.msh
+name="TransfiniteTri"
+mesh 'Point(1)={0,0,0,1};Point(2)={1,0,0,1};Point(3)={.5,.9,0,1};Line(1)={1,2};Line(2)={2,3};Line(3)={3,1};Curve Loop(1)={1:3};
+Plane Surface(1)={1};Transfinite Curve{1:3}=6;Transfinite Surface{1};Mesh.TransfiniteTri=1;'
+prints "21 nodes, 15 lines, 25 triangles" "a triangular grid has n * n triangles"
+
+# ---- subdivision and order ----
+name="all quadrangles"
+mesh "$square" -setnumber Mesh.SubdivisionAlgorithm 1
+prints "80 lines, 0 triangles" "every element becomes quadrangles, every line two"
+name="refining twice"
+mesh "$square Transfinite Curve{1:4}=3;Transfinite Surface{1}; Mesh 2; RefineMesh; RefineMesh; Save 'b.msh2';"
+check "the saved file passes the audit" "$MESHGEN" check b.msh2
+check "8 triangles become 128" [ "$(awk '/^\$Elements/ { on = 1 } on && $2 == 2 { n++ } END { print n }' b.msh2)" = 128 ]
+for order in 2 3 4; do
+  name="order $order"
+  mesh "$disc" -order $order
+  check "order $order passes the audit" "$MESHGEN" check a.msh
+  check "and its nodes are on the circle" awk -v order=$order '
+    /^\$Nodes/ { getline; for (n = $1; n > 0; n--) { getline; r[$1] = sqrt($2 * $2 + $3 * $3) } }
+    /^\$Elements/ { on = 1 } on && ($2 == 8 || $2 == 26 || $2 == 27) { for (i = 6; i <= NF; i++) if (r[$i] - 1 > 1e-14 || 1 - r[$i] > 1e-14) bad++; seen++ }
+    END { exit !(seen == 24 && !bad) }' a.msh
+done
+
+# ---- periodicity ----
+name="periodic sides"
+mesh "${square/1,1,0,.1/1,1,0,.02} Periodic Curve{2}={-4} Translate{1,0,0}; Periodic Curve{3}={-1} Translate{0,1,0};" -order 2
+check "the file lists equal numbers of nodes" awk '/^\$Periodic/ { getline; n = $1 } END { exit !(n >= 2) }' a.msh
+check "and the nodes are images bit for bit" "$PYTHON" - <<'EOF'
+import sys
+lines = open("a.msh").read().split("\n")
+i = lines.index("$Nodes")
+node = {w[0]: tuple(map(float, w[1:4])) for w in (l.split() for l in lines[i + 2 : i + 2 + int(lines[i + 1])])}
+i = lines.index("$Periodic") + 1
+n, i, pairs = int(lines[i]), i + 1, 0
+for _ in range(n):
+    dim, slave, master = map(int, lines[i].split())
+    i += 1
+    shift = (0, 0, 0)
+    if lines[i].startswith("Affine"):
+        a = list(map(float, lines[i].split()[1:]))
+        shift = (a[3], a[7], a[11])
+        i += 1
+    for l in lines[i + 1 : i + 1 + int(lines[i])]:
+        s, m = l.split()
+        pairs += 1
+        if dim == 1 and node[s] != tuple(x + d for x, d in zip(node[m], shift)):
+            sys.exit("node %s is not the image of %s" % (s, m))
+    i += 1 + int(lines[i])
+sys.exit(0 if pairs > 40 else "only %d pairs" % pairs)
+EOF
