@@ -133,8 +133,11 @@ void run_compound(Script *s, const Node *n)
   IntVec tags = {0};
   int faults = s->faults;
   eval_ints(s, n->kid[0], n->op, &tags);
-  if (n->op < 3 && s->faults == faults)
+  if (n->op < 3 && s->faults == faults) {
     model_set_compound(s->model, n->op, tags.data, tags.len, n->loc, s->diag);
+    diag_warning(s->diag, n->loc, "Compound: the %s are meshed one by one, and what lies between them stays in the mesh",
+                 n->op == 1 ? "curves" : "surfaces");
+  }
   vec_free(&tags);
 }
 
