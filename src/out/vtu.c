@@ -286,7 +286,7 @@ static void inflate_blocks(Reader *r, const unsigned char *head, size_t blocks, 
       scan_error(r->s, "a compressed block does not fit in the data");
       return;
     }
-    vec_reserve(out, out->len + full);
+    vec_reserve(out, out->len + full + 1);
     uLongf room = full;
     if (uncompress(out->data + out->len, &room, data, packed) != Z_OK || room != full)
       scan_error(r->s, "a compressed block is damaged");
@@ -317,7 +317,7 @@ static void decode_array(Reader *r, const char *p, const char *end, bool base64,
     } else if (n > (uint64_t)(end - p) - head) {
       scan_error(r->s, "an array of %llu bytes is cut off", (unsigned long long)n);
     }
-    if (!r->s->failed) {
+    if (!r->s->failed && n) {
       vec_resize(out, n);
       memcpy(out->data, base64 ? (const char *)rest.data + head : p + head, n);
     }
