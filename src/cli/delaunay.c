@@ -1,0 +1,288 @@
+// delaunay.c - meshgen -delaunay: triangulate points and segments from a file
+// SPDX-License-Identifier: MIT
+#include "base/base.h"
+
+#include "cli/delaunay.h"
+
+#include <math.h>
+
+#include "base/json.h"
+#include "base/stats.h"
+#include "mesh/mesh.h"
+#include "out/formats.h"
+#include "out/points_read.h"
+#include "tri/tri.h"
+
+typedef struct {
+  const Cli *cli;
+  Diag *diag;
+  PointsFile file;
+  Tri tri;
+  uint32_t *vertex_of;   // of each point of the file
+  size_t duplicates, points;
+  double cpu, wall;      // of the triangulation alone
+  uint32_t triangles;
+} Delaunay;
+
+static ExitCode report_crossings(Delaunay *d, const TriSegEvents *ev)
+{
+  for (size_t i = 0; i < ev->len; i++) {
+    const TriSegEvent *e = &ev->data[i];
+    if (e->what == TRI_SEG_CROSSES)
+      diag_error(d->diag, NO_LOC, "%s: segments %u and %u (counted from 1) cross at (%.17g, %.17g)", d->cli->inputs.data[0],
+                 e->a + 1, e->b + 1, e->p[0], e->p[1]);
+  }
+  return EXIT_INPUT;
+}
+
+static ExitCode insert_segments(Delaunay *d)
+{
+  PointsFile *f = &d->file;
+  for (size_t i = 0; i < f->ends.len; i++) f->ends.data[i] = d->vertex_of[f->ends.data[i]];
+  TriSegEvents ev = {0};
+  size_t crossings = tri_insert_segments(&d->tri, f->ends.data, NULL, f->ends.len / 2, &ev);
+  ExitCode status = crossings ? report_crossings(d, &ev) : EXIT_GOOD;
+  vec_free(&ev);
+  return status;
+}
+
+static ExitCode triangulate(Delaunay *d)
+{
+  PointsFile *f = &d->file;
+  size_t n = d->points = f->xy.len / 2;
+  double cpu = time_cpu(), wall = time_wall();
+  d->vertex_of = mem_alloc(n * sizeof *d->vertex_of);
+  TriBuild how = {.reorder = true, .take = true, .threads = d->cli->options.General_NumThreads, .vertex_of = d->vertex_of};
+  TriBuildResult r = tri_build(&d->tri, f->xy.data, n, &how);
+  f->xy.data = NULL;
+  f->xy.len = f->xy.cap = 0;
+  if (r != TRI_BUILD_GOOD) {
+    diag_error(d->diag, NO_LOC, "%s: %s", d->cli->inputs.data[0],
+               r == TRI_BUILD_TOO_MANY ? "there are too many points" : "a coordinate is not finite");
+    return EXIT_INPUT;
+  }
+  d->duplicates = n - d->tri.nv;
+  ExitCode status = f->ends.len ? insert_segments(d) : EXIT_GOOD;
+  TriCarve carve = {.concavities = f->ends.len == 0, .holes = f->holes.data, .nholes = f->holes.len / 2,
+                    .regions = f->regions.data, .labels = f->labels.data, .nregions = f->labels.len};
+  d->triangles = tri_carve(&d->tri, &carve);
+  d->cpu = time_cpu() - cpu;
+  d->wall = time_wall() - wall;
+  if (d->duplicates)
+    diag_warning(d->diag, NO_LOC, "%s: %zu points are equal to earlier ones and were left out", d->cli->inputs.data[0],
+                 d->duplicates);
+  return status;
+}
+
+// ---- the mesh -----------------------------------------------------------------------------------------------------------
+
+// Vertices become nodes in the order of the file.
+static uint32_t *add_nodes(Delaunay *d, Mesh *m, uint32_t entity)
+{
+  uint32_t *node = mem_alloc(d->tri.nv * sizeof *node);
+  for (VertId v = 0; v < d->tri.nv; v++) node[v] = NONE;
+  for (size_t i = 0; i < d->points; i++) {
+    VertId v = d->vertex_of[i];
+    if (node[v] != NONE) continue;
+    const double *p = tri_xy(&d->tri, v);
+    node[v] = mesh_add_node(m, (Vec3){p[0], p[1], d->file.z.len ? d->file.z.data[i] : 0}, entity, NAN);
+  }
+  return node;
+}
+
+static void set_box(Mesh *m)
+{
+  Box3 b = box3_empty();
+  for (uint32_t k = 0; k < m->nnode; k++) b = box3_with(b, mesh_xyz(m, k));
+  for (size_t i = 0; i < m->nentity; i++) m->entity[i].lo = b.lo, m->entity[i].hi = b.hi;
+}
+
+static uint32_t label_of(const Tri *t, TriId k) { return t->region ? t->region[k] : 0; }
+
+static int compare_labels(const void *a, const void *b)
+{
+  uint32_t x, y;
+  memcpy(&x, a, sizeof x);
+  memcpy(&y, b, sizeof y);
+  return (x > y) - (x < y);
+}
+
+// The labels in use, ascending.
+static void collect_labels(const Delaunay *d, U32Vec *labels)
+{
+  for (size_t i = 0; i < d->file.labels.len; i++) vec_push(labels, d->file.labels.data[i]);
+  if (labels->len) qsort(labels->data, labels->len, sizeof *labels->data, compare_labels);
+  size_t n = 0;
+  for (size_t i = 0; i < labels->len; i++)
+    if (n == 0 || labels->data[n - 1] != labels->data[i]) labels->data[n++] = labels->data[i];
+  labels->len = n;
+  vec_push(labels, 0); // the unlabelled come last, under the next number
+}
+
+static void add_segments(const Delaunay *d, Mesh *m, uint32_t entity, const uint32_t *node)
+{
+  const Tri *t = &d->tri;
+  size_t n = 0;
+  for (int pass = 0; pass < 2; pass++) {
+    uint32_t *to = pass ? m->block[mesh_add_block(m, entity, ELEM_LINE2, n)].node : NULL;
+    for (EdgeId e = 0; e < 3 * t->nt; e++) {
+      if (!tri_is_segment(t, e) || e > t->twin[e]) continue;
+      if (!pass) n++;
+      else *to++ = node[tri_org(t, e)], *to++ = node[tri_dest(t, e)];
+    }
+    if (n == 0) return;
+  }
+}
+
+static void add_triangles(const Delaunay *d, Mesh *m, uint32_t entity, uint32_t label, const uint32_t *node)
+{
+  const Tri *t = &d->tri;
+  size_t n = 0;
+  for (TriId k = 0; k < t->nt; k++) n += tri_is_inside(t, k) && label_of(t, k) == label;
+  if (n == 0) return;
+  uint32_t *to = m->block[mesh_add_block(m, entity, ELEM_TRI3, n)].node;
+  for (TriId k = 0; k < t->nt; k++)
+    if (tri_is_inside(t, k) && label_of(t, k) == label)
+      for (uint32_t i = 0; i < 3; i++) *to++ = node[t->vert[3 * (size_t)k + i]];
+}
+
+static Mesh *mesh_of_triangles(Delaunay *d)
+{
+  Mesh *m = mesh_new();
+  U32Vec labels = {0};
+  collect_labels(d, &labels);
+  uint32_t curve = d->file.ends.len ? mesh_add_entity(m, 1, 1) : NONE, face = NONE;
+  for (size_t i = 0; i < labels.len; i++) {
+    uint32_t last = labels.len > 1 ? labels.data[labels.len - 2] : 0;
+    uint32_t f = mesh_add_entity(m, 2, (int)(labels.data[i] ? labels.data[i] : last + 1));
+    if (i == 0) face = f;
+  }
+  uint32_t *node = add_nodes(d, m, face);
+  if (curve != NONE) add_segments(d, m, curve, node);
+  for (size_t i = 0; i < labels.len; i++) add_triangles(d, m, face + (uint32_t)i, labels.data[i], node);
+  set_box(m);
+  free(node);
+  vec_free(&labels);
+  return m;
+}
+
+// Sides of the Voronoi cells as lines; what goes to infinity is cut at the size of the set's box beyond its first corner.
+static Mesh *mesh_of_voronoi(Delaunay *d)
+{
+  const Tri *t = &d->tri;
+  TriVoronoi v;
+  tri_voronoi(t, &v);
+  Mesh *m = mesh_new();
+  uint32_t entity = mesh_add_entity(m, 1, 1);
+  double lo[2] = {INFINITY, INFINITY}, hi[2] = {-INFINITY, -INFINITY};
+  for (size_t i = 0; i < 2 * (size_t)t->nv; i++) {
+    lo[i % 2] = fmin(lo[i % 2], t->xy[i]);
+    hi[i % 2] = fmax(hi[i % 2], t->xy[i]);
+  }
+  double size = hypot(hi[0] - lo[0], hi[1] - lo[1]);
+  for (size_t i = 0; i < v.ncentres; i++) mesh_add_node(m, (Vec3){v.centre[2 * i], v.centre[2 * i + 1], 0}, entity, NAN);
+  U32Vec line = {0};
+  for (VertId k = 0; k < t->nv; k++) {
+    uint32_t n = v.start[k + 1] - v.start[k];
+    const uint32_t *c = v.corners + v.start[k];
+    for (uint32_t i = 0; i < n; i++) { // each side has two cells; the one that runs up takes it
+      uint32_t a = c[i], b = c[i + 1 < n ? i + 1 : 0];
+      if ((i + 1 == n && v.open[k]) || a >= b) continue;
+      vec_push(&line, a);
+      vec_push(&line, b);
+    }
+    if (!v.open[k] || n == 0) continue;
+    const double *ray = v.ray + 4 * (size_t)k + 2, *from = v.centre + 2 * (size_t)c[n - 1]; // the other is the neighbour's
+    double f = size / hypot(ray[0], ray[1]);
+    vec_push(&line, c[n - 1]);
+    vec_push(&line, mesh_add_node(m, (Vec3){from[0] + f * ray[0], from[1] + f * ray[1], 0}, entity, NAN));
+  }
+  if (line.len) {
+    uint32_t *to = m->block[mesh_add_block(m, entity, ELEM_LINE2, line.len / 2)].node;
+    memcpy(to, line.data, line.len * sizeof *to);
+  }
+  set_box(m);
+  vec_free(&line);
+  tri_voronoi_free(&v);
+  return m;
+}
+
+// ---- output ---------------------------------------------------------------------------------------------------------------
+
+static ExitCode write_outputs(Delaunay *d, const Mesh *m)
+{
+  const Cli *c = d->cli;
+  OutOptions o;
+  memset(&o, 0, sizeof o);
+  o.scale = 1;
+  o.save_all = true;
+  ExitCode status = EXIT_GOOD;
+  for (size_t i = 0; i < c->outputs.len && status == EXIT_GOOD; i++)
+    status = out_write(m, c->outputs.data[i], c->format, &o, d->diag);
+  if (c->outputs.len == 0) {
+    const char *in = c->inputs.data[0], *slash = strrchr(in, '/'), *dot = strrchr(slash ? slash : in, '.');
+    const char *ext = c->format && strcmp(c->format, "auto") != 0 ? c->format : "msh";
+    size_t n = dot ? (size_t)(dot - in) : strlen(in), room = n + strlen(ext) + 2;
+    char *path = mem_alloc(room);
+    snprintf(path, room, "%.*s.%s", (int)n, in, strncmp(ext, "msh", 3) == 0 ? "msh" : ext);
+    status = out_write(m, path, c->format, &o, d->diag);
+    free(path);
+  }
+  return status;
+}
+
+static void report(const Delaunay *d)
+{
+  const Tri *t = &d->tri;
+  double steps = t->walks ? (double)t->walk_steps / (double)t->walks : 0;
+  double cavity = t->walks ? (double)t->cavity_triangles / (double)t->walks : 0;
+  if (d->cli->json) {
+    Json j = {0};
+    json_begin(&j, NULL, '{');
+    json_begin(&j, "delaunay", '{');
+    json_integer(&j, "points", (long long)d->points);
+    json_integer(&j, "duplicates", (long long)d->duplicates);
+    json_integer(&j, "triangles", d->triangles);
+    json_number(&j, "walk_steps", steps);
+    json_number(&j, "cavity", cavity);
+    json_integer(&j, "orient_filter_misses", (long long)t->count.orient_slow);
+    json_integer(&j, "incircle_filter_misses", (long long)t->count.incircle_slow);
+    json_integer(&j, "multiprecision", (long long)t->count.multiprecision);
+    json_integer(&j, "ties", (long long)t->count.ties);
+    json_number(&j, "cpu_seconds", d->cpu);
+    json_number(&j, "wall_seconds", d->wall);
+    json_integer(&j, "peak_bytes", (long long)mem_peak());
+    json_end(&j, '}');
+    json_end(&j, '}');
+    printf("%s\n", str_text(&j.out));
+    str_free(&j.out);
+  } else if (d->cli->report)
+    printf("%zu points, %u triangles in %.3g s (%.3g s of processor time)\n"
+           "insertions: %.2f walk steps, %.2f triangles a cavity; filters missed: %llu orientations, %llu circles, "
+           "%llu to MPFR; ties: %llu\n",
+           d->points, d->triangles, d->wall, d->cpu, steps, cavity, (unsigned long long)t->count.orient_slow,
+           (unsigned long long)t->count.incircle_slow, (unsigned long long)t->count.multiprecision,
+           (unsigned long long)t->count.ties);
+}
+
+ExitCode delaunay_run(const Cli *c, Diag *diag)
+{
+  Delaunay d = {.cli = c, .diag = diag};
+  if (c->inputs.len != 1) {
+    diag_error(diag, NO_LOC, "-delaunay takes one file of points");
+    return EXIT_USAGE;
+  }
+  tri_init(&d.tri);
+  ExitCode status = points_read(c->inputs.data[0], &d.file, diag);
+  if (status == EXIT_GOOD) status = triangulate(&d);
+  if (status == EXIT_GOOD) {
+    Mesh *m = c->voronoi ? mesh_of_voronoi(&d) : mesh_of_triangles(&d);
+    status = write_outputs(&d, m);
+    mesh_free(m);
+  }
+  if (status == EXIT_GOOD) report(&d);
+  free(d.vertex_of);
+  tri_free(&d.tri);
+  points_free(&d.file);
+  return status;
+}
