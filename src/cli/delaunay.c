@@ -107,6 +107,12 @@ static int compare_labels(const void *a, const void *b)
   return (x > y) - (x < y);
 }
 
+static uint32_t *new_block(Mesh *m, uint32_t entity, ElemType type, size_t n)
+{
+  uint32_t k = mesh_add_block(m, entity, type, n);
+  return m->block[k].node;
+}
+
 // The labels in use, ascending.
 static void collect_labels(const Delaunay *d, U32Vec *labels)
 {
@@ -116,7 +122,9 @@ static void collect_labels(const Delaunay *d, U32Vec *labels)
   for (size_t i = 0; i < labels->len; i++)
     if (n == 0 || labels->data[n - 1] != labels->data[i]) labels->data[n++] = labels->data[i];
   labels->len = n;
-  vec_push(labels, 0); // the unlabelled come last, under the next number
+  bool unlabelled = n == 0;
+  for (TriId k = 0; k < d->tri.nt && !unlabelled; k++) unlabelled = tri_is_inside(&d->tri, k) && label_of(&d->tri, k) == 0;
+  if (unlabelled) vec_push(labels, 0); // they come last, under the next number
 }
 
 static void add_segments(const Delaunay *d, Mesh *m, uint32_t entity, const uint32_t *node)
@@ -124,7 +132,7 @@ static void add_segments(const Delaunay *d, Mesh *m, uint32_t entity, const uint
   const Tri *t = &d->tri;
   size_t n = 0;
   for (int pass = 0; pass < 2; pass++) {
-    uint32_t *to = pass ? m->block[mesh_add_block(m, entity, ELEM_LINE2, n)].node : NULL;
+    uint32_t *to = pass ? new_block(m, entity, ELEM_LINE2, n) : NULL;
     for (EdgeId e = 0; e < 3 * t->nt; e++) {
       if (!tri_is_segment(t, e) || e > t->twin[e]) continue;
       if (!pass) n++;
@@ -140,7 +148,7 @@ static void add_triangles(const Delaunay *d, Mesh *m, uint32_t entity, uint32_t 
   size_t n = 0;
   for (TriId k = 0; k < t->nt; k++) n += tri_is_inside(t, k) && label_of(t, k) == label;
   if (n == 0) return;
-  uint32_t *to = m->block[mesh_add_block(m, entity, ELEM_TRI3, n)].node;
+  uint32_t *to = new_block(m, entity, ELEM_TRI3, n);
   for (TriId k = 0; k < t->nt; k++)
     if (tri_is_inside(t, k) && label_of(t, k) == label)
       for (uint32_t i = 0; i < 3; i++) *to++ = node[t->vert[3 * (size_t)k + i]];
@@ -153,8 +161,8 @@ static Mesh *mesh_of_triangles(Delaunay *d)
   collect_labels(d, &labels);
   uint32_t curve = d->file.ends.len ? mesh_add_entity(m, 1, 1) : NONE, face = NONE;
   for (size_t i = 0; i < labels.len; i++) {
-    uint32_t last = labels.len > 1 ? labels.data[labels.len - 2] : 0;
-    uint32_t f = mesh_add_entity(m, 2, (int)(labels.data[i] ? labels.data[i] : last + 1));
+    uint32_t tag = labels.data[i] ? labels.data[i] : i > 0 ? labels.data[i - 1] + 1 : 1;
+    uint32_t f = mesh_add_entity(m, 2, (int)tag);
     if (i == 0) face = f;
   }
   uint32_t *node = add_nodes(d, m, face);
@@ -198,7 +206,7 @@ static Mesh *mesh_of_voronoi(Delaunay *d)
     vec_push(&line, mesh_add_node(m, (Vec3){from[0] + f * ray[0], from[1] + f * ray[1], 0}, entity, NAN));
   }
   if (line.len) {
-    uint32_t *to = m->block[mesh_add_block(m, entity, ELEM_LINE2, line.len / 2)].node;
+    uint32_t *to = new_block(m, entity, ELEM_LINE2, line.len / 2);
     memcpy(to, line.data, line.len * sizeof *to);
   }
   set_box(m);
@@ -209,23 +217,31 @@ static Mesh *mesh_of_voronoi(Delaunay *d)
 
 // ---- output ---------------------------------------------------------------------------------------------------------------
 
+static ExitCode write_output(Delaunay *d, const Mesh *m, const char *path)
+{
+  const Options *opt = &d->cli->options;
+  OutOptions o = {.save_all = true, .binary = opt->Mesh_Binary, .threads = opt->General_NumThreads};
+  const char *name = d->cli->format;
+  if (!name || strcmp(name, "auto") == 0) {
+    const Format *f = format_of_path(path);
+    name = f ? format_name(f) : "msh";
+  }
+  if (strcmp(name, "msh") == 0 || strcmp(name, "msh4") == 0) name = opt->Mesh_MshFileVersion >= 3 ? "msh4" : "msh2";
+  return out_write(m, path, name, &o, d->diag);
+}
+
 static ExitCode write_outputs(Delaunay *d, const Mesh *m)
 {
   const Cli *c = d->cli;
-  OutOptions o;
-  memset(&o, 0, sizeof o);
-  o.scale = 1;
-  o.save_all = true;
   ExitCode status = EXIT_GOOD;
-  for (size_t i = 0; i < c->outputs.len && status == EXIT_GOOD; i++)
-    status = out_write(m, c->outputs.data[i], c->format, &o, d->diag);
+  for (size_t i = 0; i < c->outputs.len && status == EXIT_GOOD; i++) status = write_output(d, m, c->outputs.data[i]);
   if (c->outputs.len == 0) {
     const char *in = c->inputs.data[0], *slash = strrchr(in, '/'), *dot = strrchr(slash ? slash : in, '.');
-    const char *ext = c->format && strcmp(c->format, "auto") != 0 ? c->format : "msh";
-    size_t n = dot ? (size_t)(dot - in) : strlen(in), room = n + strlen(ext) + 2;
-    char *path = mem_alloc(room);
-    snprintf(path, room, "%.*s.%s", (int)n, in, strncmp(ext, "msh", 3) == 0 ? "msh" : ext);
-    status = out_write(m, path, c->format, &o, d->diag);
+    size_t n = dot ? (size_t)(dot - in) : strlen(in);
+    char *path = mem_alloc(n + 5);
+    memcpy(path, in, n);
+    memcpy(path + n, ".msh", 5);
+    status = write_output(d, m, path);
     free(path);
   }
   return status;

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "base/file.h"
+#include "cli/delaunay.h"
 #include "cli/pipeline.h"
 #include "cli/subcommand.h"
 
@@ -50,7 +51,7 @@ static ExitCode run(const Cli *c, Diag *diag)
   }
   diag_set_log(diag, log);
   set_limits(c);
-  ExitCode status = pipeline_run(c, diag);
+  ExitCode status = c->action == CMD_DELAUNAY ? delaunay_run(c, diag) : pipeline_run(c, diag);
   diag_set_log(diag, NULL);
   if (log) fclose(log);
   return status;

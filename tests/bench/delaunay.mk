@@ -21,4 +21,18 @@ build/bench/bench_%: tests/bench/bench_%.cc $(BENCH_TRI_OBJ)
 bench-delaunay: build/bench/bench_delaunay
 	build/bench/bench_delaunay $(or $(N),1000000) $(or $(ROUNDS),5)
 
+build/bench/bench_tables: tests/bench/bench_tables.c $(BENCH_TRI_OBJ)
+	$(Q)$(CC) -std=c11 $(BENCH_FLAGS) -o $@ $< $(BENCH_TRI_OBJ) -lstdc++ -lmpfr -lgmp -lm
+
+build/bench/draw_predicates: tests/bench/draw_predicates.c $(BENCH_TRI_OBJ)
+	$(Q)$(CC) -std=c11 $(BENCH_FLAGS) $(PKG_CFLAGS) -o $@ $< $(BENCH_TRI_OBJ) $(PKG_LIBS) -lstdc++ -lmpfr -lgmp -lm
+
+.PHONY: bench-tables docs-predicates
+## bench-tables: walk steps, cavities and seconds for 10^3 .. 10^6 points, as in docs/internals/delaunay.md
+bench-tables: build/bench/bench_tables
+	build/bench/bench_tables
+## docs-predicates: draw docs/predicates.png, the orientation test near a line
+docs-predicates: build/bench/draw_predicates
+	build/bench/draw_predicates docs/predicates.png
+
 -include $(BENCH_TRI_OBJ:.o=.d)

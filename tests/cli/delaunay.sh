@@ -1,0 +1,69 @@
+# delaunay.sh - meshgen -delaunay: point files, segments, holes, regions, Voronoi, errors with lines
+# SPDX-License-Identifier: MIT
+. "$(dirname "$0")/lib.sh"
+
+"$PYTHON" -c "
+import random
+random.seed(1)
+p = ['%r %r' % (random.random(), random.random()) for _ in range(500)]
+open('a.xyz', 'w').write('\n'.join(p) + '\n0.5 0.5\n0.5 0.5\n')
+random.shuffle(p)
+open('b.xyz', 'w').write('\n'.join(p) + '\n0.5 0.5\n')
+"
+exits 0 "points are triangulated" "$MESHGEN" -delaunay a.xyz -o a.msh -o a.vtk -o a.png --json
+prints '"triangles": 9' "the report counts the triangles"
+prints '"duplicates": 1' "and the duplicates"
+says "1 points are equal to earlier ones" "duplicates are announced"
+check "the pictures are there" test -s a.png
+exits 0 "Voronoi cells" "$MESHGEN" -delaunay -voronoi a.xyz -o v.vtk
+exits 0 "one thread or two" "$MESHGEN" -delaunay a.xyz -nt 1 -o one.msh
+exits 0 "two threads" "$MESHGEN" -delaunay a.xyz -nt 2 -o two.msh
+check "give the same bytes" cmp one.msh two.msh
+
+cat >d.poly <<'END'
+# a square with a square hole
+8 2 0 0
+1 0 0
+2 4 0
+3 4 4
+4 0 4
+5 1 1
+6 3 1
+7 3 3
+8 1 3
+8 0
+1 1 2
+2 2 3
+3 3 4
+4 4 1
+5 5 6
+6 6 7
+7 7 8
+8 8 5
+1
+1 2 2
+1
+1 0.1 0.1 7 0
+END
+exits 0 "a .poly with a hole and a region" "$MESHGEN" -delaunay d.poly -o d.msh --json
+prints '"triangles": 8' "the hole is left out"
+check "the region is the face's number" grep -q '^7 0 0 0 4 4 0' d.msh
+
+printf '4 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n2 0\n1 1 3\n2 2 4\n0\n' >x.poly
+exits 1 "crossing segments are refused" "$MESHGEN" -delaunay x.poly -o x.msh
+says "segments 2 and 1 (counted from 1) cross at (2, 2)" "and named with the point"
+check "nothing is written" test ! -e x.msh
+printf '# c\n1 2\n3 nan\n' >n.xyz
+exits 1 "nan is refused" "$MESHGEN" -delaunay n.xyz
+says "n.xyz:3: y is not a finite number" "with the line"
+printf '1 2\n3\n' >m.xyz
+exits 1 "a missing number is refused" "$MESHGEN" -delaunay m.xyz
+says "m.xyz:2: y is missing" "with the line too"
+: >e.xyz
+exits 1 "an empty file is refused" "$MESHGEN" -delaunay e.xyz
+exits 3 "a missing file is refused" "$MESHGEN" -delaunay none.xyz
+printf '0 0\n1 1\n2 2\n' >l.xyz
+exits 0 "points on a line have no triangles" "$MESHGEN" -delaunay l.xyz -o l.msh
+printf '0 0\n' >o.xyz
+exits 0 "one point" "$MESHGEN" -delaunay o.xyz -o o.msh
+echo "1..$count"
