@@ -45,7 +45,7 @@ PKG_CFLAGS := $(shell $(PKG_CONFIG) --cflags $(LIB_PKGS) 2>/dev/null)
 PKG_LIBS := $(shell $(PKG_CONFIG) --libs $(LIB_PKGS) 2>/dev/null || echo -lcairo)
 CFLAGS_ALL := -std=c11 $(CWARN) $(COMMON) $(PKG_CFLAGS) $(CFLAGS)
 CXXFLAGS_ALL := -std=c++17 $(WARN) $(COMMON) $(CXXFLAGS)
-LIBS := $(PKG_LIBS) -lOpenMeshCore -lmetis -lmpfr -lgmp -lz -lm
+LIBS := $(PKG_LIBS) -lOpenMeshCore -lmpfr -lgmp -lz -lm
 
 SRC_C := $(sort $(wildcard src/*/*.c))
 SRC_CC := $(sort $(wildcard src/*/*.cc))
@@ -156,6 +156,11 @@ coverage:
 	$(Q)$(MAKE) --no-print-directory CONFIG=cov all unit
 	$(Q)CONFIG=cov tests/run.sh quick
 	$(Q)gcovr -r . --object-directory build/cov src 2>/dev/null | tail -40
+
+## pictures: the pictures of the documents
+.PHONY: pictures
+pictures: all
+	./meshgen -2 geo/conge.geo -v 2 -no_report -o docs/conge.png
 
 ## man: rewrite the generated part of meshgen.1 from the tables
 .PHONY: man

@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 
 #include "base/file.h"
+#include "base/number.h"
 #include "base/str.h"
 #include "base/thread.h"
 #include "cli/report.h"
@@ -226,6 +227,16 @@ static ExitCode write_model(Job *j)
 }
 
 // ---- what a script may ask for in the middle ------------------------------------------------------------------------
+// Split every element, whatever the order of the mesh, which stays.
+static void split_elements(Job *j, Subdivision how)
+{
+  int order = 1;
+  for (size_t i = 0; i < j->mesh->nblock; i++) order = MAX(order, elem_order(j->mesh->block[i].type));
+  if (order > 1) set_order(j, 1);
+  subdivide(j, how);
+  if (order > 1) set_order(j, order);
+}
+
 static bool host_mesh(void *ctx, MeshCommand what, double number, const char *text, SrcLoc loc)
 {
   Job *j = ctx;
@@ -252,11 +263,7 @@ static bool host_mesh(void *ctx, MeshCommand what, double number, const char *te
     return false;
   }
   if (what == MESH_REFINE || what == MESH_BARYCENTRIC) {
-    int order = 1;
-    for (size_t i = 0; i < j->mesh->nblock; i++) order = MAX(order, elem_order(j->mesh->block[i].type));
-    if (order > 1) set_order(j, 1);
-    subdivide(j, what == MESH_REFINE ? SUBDIVIDE_HALVE : SUBDIVIDE_BARYCENTRIC);
-    if (order > 1) set_order(j, order);
+    split_elements(j, what == MESH_REFINE ? SUBDIVIDE_HALVE : SUBDIVIDE_BARYCENTRIC);
     return true;
   }
   diag_error(j->diag, loc, "this mesh command is not available");
@@ -393,6 +400,10 @@ static bool audit(Job *j)
 
 static ExitCode finish(Job *j)
 {
+  if (j->options.Mesh_NbPartitions > 1) {
+    diag_error(j->diag, NO_LOC, "meshes cannot be partitioned by this version (-part, Mesh.NbPartitions)");
+    return EXIT_INPUT;
+  }
   bool good = j->mesh_dim < 0 || audit(j);
   if (!good && !j->cli->keep_going) return EXIT_INPUT;
   OutOptions o = out_options(&j->options);
@@ -431,6 +442,42 @@ static ExitCode explain_size(Job *j)
 
 static int action_dim(CommandId action) { return action == CMD_MESH1 ? 1 : action == CMD_MESH3 ? 3 : 2; }
 
+static void split_if_asked(Job *j)
+{
+  if (j->cli->action == CMD_REFINE) split_elements(j, SUBDIVIDE_HALVE);
+  if (j->cli->action == CMD_BARYCENTRIC) split_elements(j, SUBDIVIDE_BARYCENTRIC);
+}
+
+// -explain_size x,y[,z]
+static ExitCode explain_size(Job *j)
+{
+  Vec3 p = {0, 0, 0};
+  double *to[] = {&p.x, &p.y, &p.z};
+  const char *s = j->cli->explain, *end = s + strlen(s);
+  int n = 0;
+  while (n < 3 && s < end) {
+    const char *next = number_read(s, end, to[n]);
+    if (next == s) break;
+    n++;
+    s = next + (next < end && *next == ',');
+  }
+  if (n < 2 || s != end) {
+    diag_error(j->diag, NO_LOC, "-explain_size takes a point as x,y, not '%s'", j->cli->explain);
+    return EXIT_USAGE;
+  }
+  if (!model_prepare(j->model, j->options.Geometry_Tolerance, j->diag)) return EXIT_INPUT;
+  SizeField *size = size_new(j->model, &j->options, j->fields, j->diag);
+  if (!size) return EXIT_INPUT;
+  SizeEval *eval = size_eval_new(size);
+  Str out = {0};
+  size_explain(eval, NULL, p, &out);
+  fputs(str_text(&out), stdout);
+  str_free(&out);
+  size_eval_free(eval);
+  size_free(size);
+  return EXIT_GOOD;
+}
+
 static ExitCode run_geo(Job *j)
 {
   CommandId action = j->cli->action;
@@ -447,9 +494,13 @@ static ExitCode run_geo(Job *j)
     if (status != EXIT_GOOD || !j->cli->action_given) return status; // a question alone makes no mesh
   }
   if (action == CMD_MESH0) return write_model(j);
-  if (action == CMD_SAVE) {
-    if (!j->mesh) diag_error(j->diag, NO_LOC, "-save: the script makes no mesh");
-    return j->mesh ? finish(j) : EXIT_INPUT;
+  if (j->cli->bgm && !fields_read_background(j->fields, j->cli->bgm, j->diag)) return EXIT_INPUT;
+  if (j->cli->explain) return explain_size(j);
+  if (action == CMD_SAVE || action == CMD_REFINE || action == CMD_BARYCENTRIC) {
+    if (!j->mesh) diag_error(j->diag, NO_LOC, "the script makes no mesh (as Mesh 2; does)");
+    if (!j->mesh) return EXIT_INPUT;
+    split_if_asked(j);
+    return finish(j);
   }
   if (!generate(j, action_dim(action))) return EXIT_INPUT;
   if (diag_errors(j->diag) && !j->cli->keep_going) return EXIT_INPUT;
@@ -467,6 +518,7 @@ static ExitCode run_mesh_file(Job *j)
     diag_error(j->diag, NO_LOC, "%s is a mesh: say where to write it (-o file) or use meshgen check", j->input);
     return EXIT_USAGE;
   }
+  split_if_asked(j);
   return write_all(j);
 }
 

@@ -87,9 +87,19 @@ static double doubled_size(void *ctx, Vec2 q)
   return 2 * d->size(d->ctx, q);
 }
 
+// Algorithms that are not there yet are replaced, and said so.
+static void warn_of_algorithm(const Face *f, const Options *o, Diag *diag)
+{
+  int a = f->algorithm ? f->algorithm : o->Mesh_Algorithm;
+  if (a == 7 || a == 11)
+    diag_warning(diag, f->loc, "surface %d: algorithm %d (%s) is not available; Frontal-Delaunay is used", f->tag, a,
+                 a == 7 ? "BAMG" : "quasi-structured");
+}
+
 static void mesh_plane_face(const Driver *d, size_t k, SizeEval *eval, FaceMesh *out, Diag *diag)
 {
   const Face *f = model_face_at(d->in->model, k);
+  warn_of_algorithm(f, d->in->options, diag);
   FaceGraph g = {0};
   Filling filling;
   FaceMap map = {f, filling_wanted(&filling, d->in->model, f) ? &filling : NULL, eval};
