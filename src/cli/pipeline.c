@@ -8,7 +8,6 @@
 #include <sys/stat.h>
 
 #include "base/file.h"
-#include "base/number.h"
 #include "base/str.h"
 #include "base/thread.h"
 #include "cli/report.h"
@@ -448,36 +447,6 @@ static void split_if_asked(Job *j)
   if (j->cli->action == CMD_BARYCENTRIC) split_elements(j, SUBDIVIDE_BARYCENTRIC);
 }
 
-// -explain_size x,y[,z]
-static ExitCode explain_size(Job *j)
-{
-  Vec3 p = {0, 0, 0};
-  double *to[] = {&p.x, &p.y, &p.z};
-  const char *s = j->cli->explain, *end = s + strlen(s);
-  int n = 0;
-  while (n < 3 && s < end) {
-    const char *next = number_read(s, end, to[n]);
-    if (next == s) break;
-    n++;
-    s = next + (next < end && *next == ',');
-  }
-  if (n < 2 || s != end) {
-    diag_error(j->diag, NO_LOC, "-explain_size takes a point as x,y, not '%s'", j->cli->explain);
-    return EXIT_USAGE;
-  }
-  if (!model_prepare(j->model, j->options.Geometry_Tolerance, j->diag)) return EXIT_INPUT;
-  SizeField *size = size_new(j->model, &j->options, j->fields, j->diag);
-  if (!size) return EXIT_INPUT;
-  SizeEval *eval = size_eval_new(size);
-  Str out = {0};
-  size_explain(eval, NULL, p, &out);
-  fputs(str_text(&out), stdout);
-  str_free(&out);
-  size_eval_free(eval);
-  size_free(size);
-  return EXIT_GOOD;
-}
-
 static ExitCode run_geo(Job *j)
 {
   CommandId action = j->cli->action;
@@ -494,8 +463,6 @@ static ExitCode run_geo(Job *j)
     if (status != EXIT_GOOD || !j->cli->action_given) return status; // a question alone makes no mesh
   }
   if (action == CMD_MESH0) return write_model(j);
-  if (j->cli->bgm && !fields_read_background(j->fields, j->cli->bgm, j->diag)) return EXIT_INPUT;
-  if (j->cli->explain) return explain_size(j);
   if (action == CMD_SAVE || action == CMD_REFINE || action == CMD_BARYCENTRIC) {
     if (!j->mesh) diag_error(j->diag, NO_LOC, "the script makes no mesh (as Mesh 2; does)");
     if (!j->mesh) return EXIT_INPUT;

@@ -207,7 +207,7 @@ static void report_crossing(Untangler *t, const Curve *a, const Curve *b, Vec3 a
     return;
   }
   const char *verb = how == SEG_CROSS ? "crosses" : how == SEG_TOUCH ? "touches" : "overlaps";
-  diag_error(t->diag, b->loc, "curve %d %s curve %d at (%.10g, %.10g), where they have no common point (-heal splits them there)",
+  diag_error(t->diag, b->loc, "curve %d %s curve %d at (%.10g, %.10g), where they have no common point",
              b->tag, verb, a->tag, at.x, at.y);
   diag_note(t->diag, a->loc, "curve %d is made here", a->tag);
 }
