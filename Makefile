@@ -45,7 +45,7 @@ PKG_CFLAGS := $(shell $(PKG_CONFIG) --cflags $(LIB_PKGS) 2>/dev/null)
 PKG_LIBS := $(shell $(PKG_CONFIG) --libs $(LIB_PKGS) 2>/dev/null || echo -lcairo)
 CFLAGS_ALL := -std=c11 $(CWARN) $(COMMON) $(PKG_CFLAGS) $(CFLAGS)
 CXXFLAGS_ALL := -std=c++17 $(WARN) $(COMMON) $(CXXFLAGS)
-LIBS := $(PKG_LIBS) -lOpenMeshCore -lmpfr -lgmp -lz -lm
+LIBS := $(PKG_LIBS) -lmpfr -lgmp -lz -lm
 
 SRC_C := $(sort $(wildcard src/*/*.c))
 SRC_CC := $(sort $(wildcard src/*/*.cc))
@@ -92,7 +92,7 @@ $(B)/unit/%: tests/unit/%.c $(LIB)
 $(B)/unit/%: tests/unit/%.cc $(LIB)
 	@mkdir -p $(@D)
 	@echo "CXX  $<"
-	$(Q)$(CXX) $(CXXFLAGS_ALL) -Wno-pedantic -Wno-shadow -Wno-undef -frounding-math -Itests/unit -MF $@.d -MT $@ -o $@ $< $(LIB) $(LDFLAGS) -lcmocka $(LIBS)
+	$(Q)$(CXX) $(CXXFLAGS_ALL) -Wno-pedantic -Wno-shadow -Wno-undef -frounding-math -Itests/unit -MF $@.d -MT $@ -o $@ $< $(LIB) $(LDFLAGS) -lcmocka -lOpenMeshCore $(LIBS)
 
 .PHONY: unit
 ## unit: build the unit tests of this CONFIG

@@ -18,7 +18,7 @@ typedef struct {
   const EdgeNodes *nodes;
   FaceMesh *face;
   Diag **diag;       // one collecting sink per face
-  size_t *order;     // faces, largest first
+  const size_t *order; // faces, largest first
   SizeEval **eval;   // one per worker
 } Driver;
 
@@ -190,24 +190,37 @@ static size_t *order_of_faces(const Mesh2dInput *in)
   return order;
 }
 
-size_t mesh2d_run(const Mesh2dInput *in, const EdgeNodes *nodes, FaceMesh *face)
+size_t mesh2d_run_some(const Mesh2dInput *in, const EdgeNodes *nodes, const size_t *which, size_t n, FaceMesh *face)
 {
-  size_t n = model_faces(in->model), failed = 0;
   int workers = thread_count(in->threads);
-  Driver d = {in, nodes, face, mem_alloc(n * sizeof(Diag *)), order_of_faces(in), mem_alloc((size_t)workers * sizeof(SizeEval *))};
+  Driver d = {.in = in,
+              .nodes = nodes,
+              .face = face,
+              .diag = mem_zalloc((model_faces(in->model) + 1) * sizeof(Diag *)),
+              .order = which,
+              .eval = mem_alloc((size_t)workers * sizeof(SizeEval *))};
   for (int w = 0; w < workers; w++) d.eval[w] = size_eval_new(in->size);
-  for (size_t k = 0; k < n; k++) {
-    face[k] = (FaceMesh){0};
-    d.diag[k] = diag_child(in->diag);
+  for (size_t i = 0; i < n; i++) {
+    face[which[i]] = (FaceMesh){0};
+    d.diag[which[i]] = diag_child(in->diag);
   }
   thread_for(n, in->threads, mesh_one, &d);
-  for (size_t k = 0; k < n; k++) {
+  size_t failed = 0;
+  for (size_t k = 0; k < model_faces(in->model); k++) {
+    if (!d.diag[k]) continue;
     diag_merge(in->diag, d.diag[k]);
     failed += face[k].failed;
   }
   for (int w = 0; w < workers; w++) size_eval_free(d.eval[w]);
   free(d.eval);
   free(d.diag);
-  free(d.order);
+  return failed;
+}
+
+size_t mesh2d_run(const Mesh2dInput *in, const EdgeNodes *nodes, FaceMesh *face)
+{
+  size_t *order = order_of_faces(in);
+  size_t failed = mesh2d_run_some(in, nodes, order, model_faces(in->model), face);
+  free(order);
   return failed;
 }

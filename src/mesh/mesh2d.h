@@ -28,6 +28,8 @@ typedef struct {
 // Mesh every face: the largest first, in parallel, results and messages in ascending order of tag. face[] gets one
 // entry per face of the model (model_face_at); free each with face_mesh_free. Returns the number of faces that failed.
 size_t mesh2d_run(const Mesh2dInput *in, const EdgeNodes *nodes, FaceMesh *face);
+// The same for the n faces which[] (indices); the other entries of face[] are left alone.
+size_t mesh2d_run_some(const Mesh2dInput *in, const EdgeNodes *nodes, const size_t *which, size_t n, FaceMesh *face);
 
 // The refinement that options and the face's own attributes ask for; `here` evaluates sizes and must outlive the use.
 TriRefineParams mesh2d_refine_params(const Options *o, const Face *f, SizeInPlane *here);

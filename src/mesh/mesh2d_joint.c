@@ -12,6 +12,7 @@ typedef struct {
   const Mesh2dInput *in;
   Mesh1d *curves;
   const EdgeNodes *nodes;
+  const Map *held;   // tags of curves that must stay whole
   Vec(size_t) face;  // indices of the faces of the plane
   const Face *frame; // the first of them: its plane coordinates are everybody's
   FaceGraph graph;
@@ -186,7 +187,7 @@ static bool split_point(void *ctx, VertId u, VertId v, double at, Vec2 *point)
   if (e == NONE || !tri_is_segment(&p->tri, e)) return false;
   uint32_t s = p->tri.seg[e];
   const Curve *c = model_curve(p->in->model, p->graph.curve.data[s]);
-  if (is_fixed(c)) return false;
+  if (is_fixed(c) || map_get(p->held, (uint64_t)c->tag) != NONE) return false;
   if (curve_is_straight(p->in->model, c)) {
     const double *a = tri_xy(&p->tri, u), *b = tri_xy(&p->tri, v);
     *point = (Vec2){a[0] + at * (b[0] - a[0]), a[1] + at * (b[1] - a[1])};
@@ -362,19 +363,45 @@ static void extract_plane(const Plane *p, const EdgeNodes *nodes, const U32Vec *
   free(id);
 }
 
+// Is face k meshed by rules of its own?
+static bool is_apart(const Mesh2dInput *in, size_t k)
+{
+  const Face *f = model_face_at(in->model, k);
+  return f->transfinite || (f->extruded_curve && f->layers.n > 0) || (f->type == FACE_FILLING && !f->planar) ||
+         boundary_layers_on(in->layers, k);
+}
+
+static void hold_curves(const Model *m, const Face *f, Map *held)
+{
+  IntVec curve = {0}, start = {0};
+  face_boundary(m, f, &curve, &start);
+  for (size_t i = 0; i < curve.len; i++) map_set(held, (uint64_t)abs(curve.data[i]), 1);
+  vec_free(&curve);
+  vec_free(&start);
+}
+
 size_t mesh2d_joint_run(const Mesh2dInput *in, Mesh1d *curves, EdgeNodes *nodes, FaceMesh *face)
 {
   const Model *m = in->model;
   size_t n = model_faces(m), nplane = 0, failed = 0;
+  Map held = {0};
+  Vec(size_t) apart = {0};
   Box3 box = model_bounds(m);
   double tolerance = in->options->Geometry_Tolerance * vec3_distance(box.lo, box.hi);
   Plane *plane = mem_zalloc((n + 1) * sizeof *plane);
   for (size_t k = 0; k < n; k++) {
     const Face *f = model_face_at(m, k);
     face[k] = (FaceMesh){0};
+    if (is_apart(in, k)) {
+      hold_curves(m, f, &held);
+      vec_push(&apart, k);
+      continue;
+    }
+    if (f->recombine || in->options->Mesh_RecombineAll)
+      diag_warning(in->diag, f->loc, "surface %d stays in triangles: a smallest angle is promised for triangles only", f->tag);
     size_t i = 0;
     while (i < nplane && !same_plane(plane[i].frame, f, tolerance)) i++;
-    if (i == nplane) plane[nplane++] = (Plane){.in = in, .curves = curves, .nodes = nodes, .frame = f};
+    if (i == nplane) plane[nplane++] = (Plane){.in = in, .curves = curves, .nodes = nodes, .held = &held, .frame = f};
     vec_push(&plane[i].face, k);
   }
   U32Vec *chain = mem_zalloc((nplane + 1) * sizeof *chain), *start = mem_zalloc((nplane + 1) * sizeof *start);
@@ -406,7 +433,10 @@ size_t mesh2d_joint_run(const Mesh2dInput *in, Mesh1d *curves, EdgeNodes *nodes,
     edge_nodes_init(nodes, m, curves);
     for (size_t i = 0; i < nplane; i++)
       extract_plane(&plane[i], nodes, &chain[i], &start[i], &changed[i], face);
+    failed = mesh2d_run_some(in, nodes, apart.data, apart.len, face);
   }
+  map_free(&held);
+  vec_free(&apart);
   for (size_t i = 0; i < nplane; i++) {
     plane_free(&plane[i]);
     vec_free(&chain[i]);

@@ -7,7 +7,9 @@
 
 // Mesh.MinimumAngle and Mesh.ConformingDelaunay split edges of the boundary, for all faces on a curve alike. So all faces of a
 // plane are meshed in one triangulation; the curves' meshes and `nodes` are changed to the result. Faces that overlap, and curves
-// shared by faces of different planes, are errors. Curves with prescribed nodes (transfinite, periodic, copied, layers) stay whole.
+// shared by faces of different planes, are errors. Curves with prescribed nodes (transfinite, periodic, copied, layers)
+// stay whole, and so do those of faces that are not triangulated freely (structured, with boundary layers, not plane), which are meshed
+// afterwards as mesh2d_run does. Faces to be recombined stay triangles, with a warning.
 // face[] as in mesh2d_run. Returns the number of faces that failed.
 size_t mesh2d_joint_run(const Mesh2dInput *in, Mesh1d *curves, EdgeNodes *nodes, FaceMesh *face);
 
