@@ -73,21 +73,22 @@ static int compare_abs(const void *a, const void *b)
 
 void face_graph_add(FaceGraph *g, const Model *m, const Face *f, const Mesh1d *curves, const EdgeNodes *nodes)
 {
+  const Face *frame = g->frame ? g->frame : f;
   Source s = {m, curves, nodes};
   IntVec curve = {0}, start = {0};
   face_boundary(m, f, &curve, &start);
   qsort(curve.data, curve.len, sizeof *curve.data, compare_abs);
   for (size_t i = 0, j; i < curve.len; i = j) {
     for (j = i; j < curve.len && abs(curve.data[j]) == abs(curve.data[i]);) j++;
-    graph_add_curve(g, &s, f, curve.data[i], (j - i) % 2 == 0);
+    graph_add_curve(g, &s, frame, curve.data[i], (j - i) % 2 == 0);
   }
   for (size_t i = 0; i < f->embedded_curves.len; i++) {
     int tag = f->embedded_curves.data[i];
-    if (!curve.len || !bsearch(&tag, curve.data, curve.len, sizeof tag, compare_abs)) graph_add_curve(g, &s, f, tag, true);
+    if (!curve.len || !bsearch(&tag, curve.data, curve.len, sizeof tag, compare_abs)) graph_add_curve(g, &s, frame, tag, true);
   }
   for (size_t i = 0; i < f->embedded_points.len; i++) {
     uint32_t node = edge_nodes_point(m, f->embedded_points.data[i]);
-    if (node != NONE) graph_vertex(g, f, nodes, node);
+    if (node != NONE) graph_vertex(g, frame, nodes, node);
   }
   vec_free(&curve);
   vec_free(&start);

@@ -19,6 +19,7 @@ typedef struct {
   IntVec curve;       // per segment: tag of its curve
   Vec(bool) embedded; // per segment: inside the face, does not bound it
   Map has_curve;      // tags of the curves added so far
+  const Face *frame;  // whose plane coordinates xy are, if not those of the face added: set before adding
 
   // coarse: set before curves are added, whose numbers of edges must be even. Segments then join every second node, and the nodes
   // between are kept: middle[map_pair(ends)] is the index of node middle_node[] at middle_xy[].

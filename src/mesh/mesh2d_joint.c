@@ -269,6 +269,7 @@ static void update_curves(Plane *p, const SplitVertices *splits, U32Vec *chain, 
 // ---- one plane ------------------------------------------------------------------------------------------------------------
 static void build_graph(Plane *p)
 {
+  p->graph.frame = p->frame;
   for (size_t k = 0; k < p->face.len; k++)
     face_graph_add(&p->graph, p->in->model, model_face_at(p->in->model, p->face.data[k]), p->curves, p->nodes);
   const IntVec *curve = &p->graph.curve;
