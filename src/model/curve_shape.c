@@ -178,6 +178,11 @@ typedef struct {
 static bool arc_plane(const Model *m, const Curve *c, ArcPlane *a, Diag *diag)
 {
   const char *word = c->type == CURVE_CIRCLE ? "circle" : "ellipse";
+  if (c->point[0] == c->point[c->npoint - 1]) {
+    diag_error(diag, c->loc, "%s arc %d runs from point %d to itself; an arc is shorter than a half turn: make a full turn of two or "
+                             "more", word, c->tag, c->point[0]);
+    return false;
+  }
   a->centre = control(m, c, 1);
   Vec3 s = vec3_sub(control(m, c, 0), a->centre), e = vec3_sub(control(m, c, c->npoint - 1), a->centre);
   double ls = vec3_length(s), le = vec3_length(e);
