@@ -91,9 +91,13 @@ static double doubled_size(void *ctx, Vec2 q)
 static void warn_of_algorithm(const Face *f, const Options *o, Diag *diag)
 {
   int a = f->algorithm ? f->algorithm : o->Mesh_Algorithm;
-  if (a == 7 || a == 11)
-    diag_warning(diag, f->loc, "surface %d: algorithm %d (%s) is not available; Frontal-Delaunay is used", f->tag, a,
-                 a == 7 ? "BAMG" : "quasi-structured");
+  const char *name = a == 7    ? "BAMG"
+                     : a == 8  ? "Frontal-Delaunay for quads"
+                     : a == 9  ? "packing of parallelograms"
+                     : a == 11 ? "quasi-structured"
+                               : NULL;
+  if (name)
+    diag_warning(diag, f->loc, "surface %d: algorithm %d (%s) is not available; Frontal-Delaunay is used", f->tag, a, name);
 }
 
 static void mesh_plane_face(const Driver *d, size_t k, SizeEval *eval, FaceMesh *out, Diag *diag)
