@@ -133,7 +133,7 @@ static void extruded_line(void **state)
   model_coherence(f.m, f.d);
   expect_news(f.m, 5, 21);
   EXPECT_CURVE(f.m, 20, CURVE_LINE, 4, 4);
-  vec_clear(&o);
+  vec_free(&o);
   Shape line = shape(1, 1), face = shape(2, 5);
   assert_true(model_duplicate(f.m, &line, 1, &o, NO_LOC, f.d));
   EXPECT_SHAPES(&o, 1, 21);
@@ -166,7 +166,7 @@ static void rotated_lines(void **state)
   assert_int_equal(model_curve(f.m, 3)->extruded_point, 1);
   assert_int_equal(model_curve(f.m, 3)->layers.count[0], 5);
   assert_int_equal(model_curve(f.m, 2)->copy_of, 1);
-  vec_clear(&o);
+  vec_free(&o);
 
   point(&f, 100, 0, 0, 3); // one end on the axis: a triangle
   point(&f, 101, 1, 0, 3);
@@ -175,7 +175,7 @@ static void rotated_lines(void **state)
   o = extrude(&f, &s, (Shape[]){shape(1, 100)}, 1);
   EXPECT_SHAPES(&o, 1, 101, 2, 103, 1, 102);
   EXPECT_BOUNDARY(f.m, 103, 100, 102, -101);
-  vec_clear(&o);
+  vec_free(&o);
 
   point(&f, 200, 5, 0, 3);
   point(&f, 201, 6, 0, 3);
@@ -201,7 +201,7 @@ static void extruded_faces(void **state)
   ShapeVec o = extrude(&f, &s, (Shape[]){shape(2, 6)}, 1);
   EXPECT_SHAPES(&o, 2, 28, 3, 1, 2, 15, 2, 19, 2, 23, 2, 27);
   expect_news(f.m, 15, 29);
-  vec_clear(&o);
+  vec_free(&o);
   s = turn((Vec3){0, 1, 0}, (Vec3){3, 0, 0}, PI / 2);
   o = extrude(&f, &s, (Shape[]){shape(2, 28)}, 1);
   EXPECT_SHAPES(&o, 2, 50, 3, 2, 2, 37, 2, 41, 2, 45, 2, 49);
@@ -209,18 +209,18 @@ static void extruded_faces(void **state)
   EXPECT_CURVE(f.m, 44, CURVE_CIRCLE, 14, 46, 24);
   EXPECT_BOUNDARY(f.m, 49, 11, 35, -33, -44);
   EXPECT_BOUNDARY(f.m, 50, 30, 31, 32, 33);
-  vec_clear(&o);
+  vec_free(&o);
 
   Shape v[] = {{3, 1}, {3, 2}}, fs[] = {{2, 6}, {2, 15}};
   assert_true(model_boundary(f.m, v, 1, false, true, &o, NO_LOC, f.d));
   EXPECT_SHAPES(&o, 2, -6, 2, 28, 2, 15, 2, 19, 2, 23, 2, 27);
-  vec_clear(&o);
+  vec_free(&o);
   assert_true(model_boundary(f.m, v, 2, true, true, &o, NO_LOC, f.d));
   EXPECT_SHAPES(&o, 2, -6, 2, 15, 2, 19, 2, 23, 2, 27, 2, 37, 2, 41, 2, 45, 2, 49, 2, 50);
-  vec_clear(&o);
+  vec_free(&o);
   assert_true(model_boundary(f.m, fs, 2, true, true, &o, NO_LOC, f.d));
   EXPECT_SHAPES(&o, 1, 2, 1, 3, 1, 4, 1, -8, 1, -13, 1, 14);
-  vec_clear(&o);
+  vec_free(&o);
   assert_true(model_points_of(f.m, fs, 2, &o, NO_LOC, f.d));
   EXPECT_SHAPES(&o, 0, 1, 0, 2, 0, 3, 0, 4, 0, 1, 0, 2, 0, 5, 0, 6);
   vec_free(&o);
@@ -258,7 +258,7 @@ static void extruded_face_with_hole(void **state)
   expect_news(f.m, 30, 62);
   EXPECT_BOUNDARY(f.m, 35, -7, 34, -13, -33);
   EXPECT_BOUNDARY(f.m, 44, 9, 10, 11, 12, 13, 14, 15);
-  vec_clear(&o);
+  vec_free(&o);
   s = turn((Vec3){0, 1, 0}, (Vec3){0, 0, 0}, PI / 4);
   o = extrude(&f, &s, (Shape[]){shape(2, 1)}, 1);
   EXPECT_SHAPES(&o, 2, 98, 3, 3, 2, 73, 2, 77, 2, 81, 2, 85, 2, 89, 2, 93, 2, 97);
@@ -288,7 +288,7 @@ static void sweeps_that_stay(void **state)
   Sweep s = turn((Vec3){0, 0, 1}, (Vec3){0, 0, 0}, PI / 2);
   ShapeVec o = extrude(&f, &s, (Shape[]){shape(1, 50), shape(0, 4)}, 2);
   EXPECT_SHAPES(&o, 1, 50, 0, 4);
-  vec_clear(&o);
+  vec_free(&o);
   s = shift(0, 0, 0);
   o = extrude(&f, &s, (Shape[]){shape(1, 1)}, 1);
   EXPECT_SHAPES(&o, 1, 1);
