@@ -82,7 +82,7 @@ static void mesh_faces(Job *j, const SizeField *size, EdgeNodes *en, const Bound
   stage_end(&j->stats);
   if (!j->failed_faces || j->cli->keep_going) {
     stage_begin(&j->stats, "assemble");
-    j->mesh = mesh_assemble(j->model, j->curves, en, face, j->options.Mesh_KeepOrientation);
+    j->mesh = mesh_assemble(j->model, j->curves, en, face, &j->options);
     j->node_size = mesh_assemble_sizes(j->model, j->curves, en, face);
     stage_end(&j->stats);
   }
@@ -112,7 +112,7 @@ static bool generate(Job *j, int dim)
     if (dim >= 2)
       mesh_faces(j, size, &en, layers);
     else
-      j->mesh = mesh_assemble(j->model, dim >= 1 ? j->curves : NULL, &en, NULL, false);
+      j->mesh = mesh_assemble(j->model, dim >= 1 ? j->curves : NULL, &en, NULL, &j->options);
     edge_nodes_free(&en);
     boundary_layers_free(layers);
   }

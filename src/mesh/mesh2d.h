@@ -35,9 +35,10 @@ size_t mesh2d_run_some(const Mesh2dInput *in, const EdgeNodes *nodes, const size
 TriRefineParams mesh2d_refine_params(const Options *o, const Face *f, SizeInPlane *here);
 
 // Put points, curves and faces together: entities with their boxes, boundaries and groups, nodes, elements. face may be NULL
-// (only curves), curves too (only points). With keep_orientation elements of faces with normal -z stay clockwise.
+// (only curves), curves too (only points). Mesh.KeepOrientation leaves elements of faces with normal -z clockwise; Geometry.OrientedPhysicals
+// lets negative members of groups reverse elements.
 Mesh *mesh_assemble(const Model *m, const Mesh1d *curves, const EdgeNodes *en, const FaceMesh *face,
-                    bool keep_orientation);
+                    const Options *o);
 
 // Wanted edge length at each node of that mesh, for the efficiency index; NAN where none is known. The caller frees.
 double *mesh_assemble_sizes(const Model *m, const Mesh1d *curves, const EdgeNodes *en, const FaceMesh *face);

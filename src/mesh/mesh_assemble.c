@@ -45,7 +45,7 @@ static void add_entities(Mesh *mesh, const Model *m)
   }
 }
 
-static void add_groups(Mesh *mesh, const Model *m)
+static void add_groups(Mesh *mesh, const Model *m, bool oriented)
 {
   for (size_t k = 0; k < model_groups(m); k++) {
     const Group *g = model_group_at(m, k);
@@ -54,7 +54,7 @@ static void add_groups(Mesh *mesh, const Model *m)
     for (size_t i = 0; i < g->entity.len; i++) {
       int tag = g->entity.data[i];
       uint32_t e = mesh_find_entity(mesh, g->dim, abs(tag));
-      if (e != NONE) vec_push(&mesh->entity[e].physical, tag < 0 ? -g->tag : g->tag);
+      if (e != NONE) vec_push(&mesh->entity[e].physical, tag < 0 && oriented ? -g->tag : g->tag);
     }
   }
 }
@@ -116,14 +116,14 @@ static void add_faces(Mesh *mesh, const Model *m, const EdgeNodes *en, const Fac
   }
 }
 
-Mesh *mesh_assemble(const Model *m, const Mesh1d *curves, const EdgeNodes *en, const FaceMesh *face, bool keep_orientation)
+Mesh *mesh_assemble(const Model *m, const Mesh1d *curves, const EdgeNodes *en, const FaceMesh *face, const Options *o)
 {
   Mesh *mesh = mesh_new();
   add_entities(mesh, m);
-  add_groups(mesh, m);
+  add_groups(mesh, m, o->Geometry_OrientedPhysicals);
   add_points(mesh, m);
   if (curves) add_curves(mesh, m, curves, en);
-  if (curves && face) add_faces(mesh, m, en, face, keep_orientation);
+  if (curves && face) add_faces(mesh, m, en, face, o->Mesh_KeepOrientation);
   return mesh;
 }
 
