@@ -106,3 +106,15 @@ const char *str_nearest(const char *word, const char *const *names, size_t n)
   }
   return best;
 }
+
+bool str_has_word(const char *list, const char *word)
+{
+  size_t n = strlen(word);
+  for (const char *p = list; *p;) {
+    size_t k = strcspn(p, " ");
+    if (k == n && memcmp(p, word, n) == 0) return true;
+    p += k;
+    while (*p == ' ') p++;
+  }
+  return false;
+}

@@ -27,4 +27,7 @@ int str_distance(const char *a, const char *b, int limit);
 // The entry of names[n] nearest to `word` if near enough to be a likely misspelling, else NULL.
 const char *str_nearest(const char *word, const char *const *names, size_t n);
 
+// Is `word` one of the words of `list`, which blanks separate?
+bool str_has_word(const char *list, const char *word);
+
 #endif

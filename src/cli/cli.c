@@ -221,18 +221,6 @@ const Command commands[CMD_COUNT] = {
 #undef CMD
 };
 
-static bool names_word(const char *names, const char *word)
-{
-  size_t n = strlen(word);
-  for (const char *p = names; *p;) {
-    size_t k = strcspn(p, " ");
-    if (k == n && memcmp(p, word, n) == 0) return true;
-    p += k;
-    while (*p == ' ') p++;
-  }
-  return false;
-}
-
 static void unknown_switch(Walk *w, const char *sw)
 {
   const char *names[CMD_COUNT + 256];
@@ -253,7 +241,7 @@ static void unknown_switch(Walk *w, const char *sw)
 static void do_switch(Walk *w, const char *sw)
 {
   for (size_t i = 0; i < CMD_COUNT; i++)
-    if (names_word(commands[i].names, sw)) {
+    if (str_has_word(commands[i].names, sw)) {
       do_command(w, commands[i].id);
       return;
     }

@@ -66,7 +66,7 @@ static QuadParams quad_params(const Face *f, const Options *o, Work *w)
 {
   QuadParams p = quad_params_default();
   int a = o->Mesh_RecombinationAlgorithm;
-  if (a == 4) a = QUAD_BLOSSOM; // every perfect matching of a plane mesh is one of its two-colourings' kind
+  if (a == 4) a = QUAD_BLOSSOM; // Gmsh's other way to the same end
   if (!w->graph->coarse && (a == QUAD_FULL_GREEDY || a == QUAD_FULL_BLOSSOM)) a = QUAD_BLOSSOM;
   p.algorithm = (QuadAlgorithm)a;
   p.angle = f->recombine_angle > 0 ? f->recombine_angle : 45;

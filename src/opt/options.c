@@ -38,14 +38,6 @@ const OptRow *options_rows(size_t *n)
   return rows;
 }
 
-static bool has_word(const char *list, const char *word)
-{
-  size_t n = strlen(word);
-  for (const char *p = list; (p = strstr(p, word)) != NULL; p += n)
-    if ((p == list || p[-1] == ' ') && (p[n] == 0 || p[n] == ' ')) return true;
-  return false;
-}
-
 const OptRow *options_find(const char *category, const char *key)
 {
   static const char *const display[] = {"View", "PostProcessing", "Print", "Solver", "Plugin"};
@@ -55,7 +47,7 @@ const OptRow *options_find(const char *category, const char *key)
   for (size_t i = 0; i < ARRAY_LEN(rows); i++)
     if (strcmp(rows[i].key, key) == 0 && strcmp(rows[i].category, category) == 0) return &rows[i];
   for (size_t i = 0; i < ARRAY_LEN(rows); i++)
-    if (rows[i].synonyms[0] && strcmp(rows[i].category, category) == 0 && has_word(rows[i].synonyms, key))
+    if (rows[i].synonyms[0] && strcmp(rows[i].category, category) == 0 && str_has_word(rows[i].synonyms, key))
       return &rows[i];
   return NULL;
 }

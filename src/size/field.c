@@ -50,30 +50,17 @@ const FieldType *field__type(FieldKind k)
   return &types[k];
 }
 
-// True if `word` is one of the blank-separated words of `list`.
-static bool is_among(const char *list, const char *word)
-{
-  size_t n = strlen(word);
-  for (const char *s = list; *s;) {
-    const char *end = strchr(s, ' ');
-    size_t len = end ? (size_t)(end - s) : strlen(s);
-    if (len == n && !memcmp(s, word, n)) return true;
-    s += len + (end != NULL);
-  }
-  return false;
-}
-
 static int find_type(const char *name)
 {
   for (int k = 0; k < FIELD_KINDS; k++)
-    if (!strcmp(types[k].name, name) || is_among(types[k].old, name)) return k;
+    if (!strcmp(types[k].name, name) || str_has_word(types[k].old, name)) return k;
   return -1;
 }
 
 static int find_option(const FieldType *t, const char *name)
 {
   for (int i = 0; i < t->noption; i++)
-    if (!strcmp(t->option[i].name, name) || is_among(t->option[i].old, name)) return i;
+    if (!strcmp(t->option[i].name, name) || str_has_word(t->option[i].old, name)) return i;
   return -1;
 }
 
