@@ -4,11 +4,12 @@
 
 #include "base/diag.h"
 
+#include <math.h>
 #include <stdarg.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "base/mem.h"
+#include "base/stats.h"
 #include "base/str.h"
 
 typedef struct {
@@ -26,11 +27,11 @@ typedef struct {
 struct Diag {
   bool print, color, werror;
   int level, errors, warnings;
-  FILE *log;
+  FILE *log, *stream;
   const Diag *parent; // of a child: where file indices below first_file are found
   uint32_t first_file;
   bool line_open; // a progress line is on the terminal
-  struct timespec last_progress;
+  double last_progress; // of time_wall
   bool last_shown; // the message before was printed (notes follow it)
   Vec(SourceFile) files;
   Vec(Frame) frames;
@@ -44,6 +45,48 @@ Diag *diag_new(bool print)
   d->level = LOG_DEFAULT;
   d->first_file = 1;
   return d;
+}
+
+static void end_progress(Diag *d)
+{
+  if (!d->line_open) return;
+  fputs("\r\033[K", stderr);
+  d->line_open = false;
+}
+
+// Without the colours.
+static void put_plain(FILE *f, const char *text)
+{
+  for (const char *p = text; *p; p++)
+    if (*p == '\033')
+      p += strcspn(p, "m");
+    else
+      fputc(*p, f);
+}
+
+static void emit(Diag *d, const char *text)
+{
+  end_progress(d);
+  fputs(text, d->stream ? d->stream : stderr);
+  if (d->log) put_plain(d->log, text);
+}
+
+Diag *diag_sibling(const Diag *d, FILE *f)
+{
+  Diag *s = diag_new(true);
+  s->stream = f;
+  s->level = d->level;
+  s->werror = d->werror;
+  s->color = d->color;
+  return s;
+}
+
+void diag_absorb(Diag *d, Diag *sibling, const char *text)
+{
+  if (text && *text) emit(d, text);
+  d->errors += sibling->errors;
+  d->warnings += sibling->warnings;
+  diag_free(sibling);
 }
 
 Diag *diag_child(const Diag *parent)
@@ -91,20 +134,6 @@ const char *diag_file_name(const Diag *d, uint32_t file)
 {
   const SourceFile *f = source(d, file);
   return f ? f->name : "";
-}
-
-static void end_progress(Diag *d)
-{
-  if (!d->line_open) return;
-  fputs("\r\033[K", stderr);
-  d->line_open = false;
-}
-
-static void emit(Diag *d, const char *text)
-{
-  end_progress(d);
-  fputs(text, stderr);
-  if (d->log) fputs(text, d->log);
 }
 
 static void quote_line(Str *out, const SourceFile *f, SrcLoc loc)
@@ -252,19 +281,24 @@ void log_debug(Diag *d, const char *fmt, ...)
   va_end(ap);
 }
 
-void log_progress(Diag *d, const char *stage, double done)
+bool log_progress_wanted(const Diag *d)
 {
-  if (!d->print || d->level < LOG_DEFAULT || !isatty(2)) return;
-  if (done >= 1) {
-    end_progress(d);
-    return;
-  }
-  struct timespec now;
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  double since = (double)(now.tv_sec - d->last_progress.tv_sec) +
-                 1e-9 * (double)(now.tv_nsec - d->last_progress.tv_nsec);
-  if (d->line_open && since < 0.1) return;
+  return d->print && !d->stream && d->level >= LOG_DEFAULT && isatty(2);
+}
+
+void log_progress_end(Diag *d) { end_progress(d); }
+
+void log_progress(Diag *d, const char *stage, double done, double all, const char *what, double began)
+{
+  if (!log_progress_wanted(d)) return;
+  double now = time_wall(), spent = now - began;
+  if (spent < 0.5 || now - d->last_progress < 0.1) return;
   d->last_progress = now;
   d->line_open = true;
-  fprintf(stderr, "\r%s %3.0f%%\033[K", stage, 100 * done);
+  double rate = done / spent;
+  fprintf(stderr, "\r%s", stage);
+  if (all > 0) fprintf(stderr, " %3.0f %%", 100 * fmin(1, done / all));
+  fprintf(stderr, "  %.3g %s  %.3g %s/s", done, what, rate, what);
+  if (all > done && rate > 0) fprintf(stderr, "  %.2g s left", (all - done) / rate);
+  fputs("\033[K", stderr);
 }

@@ -29,6 +29,10 @@ typedef struct Diag Diag;
 // and tests). Free with diag_free. Not thread-safe: give each worker a child and merge in a fixed order.
 Diag *diag_new(bool print);
 void diag_free(Diag *d);
+// A printing sink with the settings of another, whose messages go to f: for inputs of a batch, which end in any order.
+// What it counted is added to the other by diag_absorb, which prints `text` (what f got) and frees it.
+Diag *diag_sibling(const Diag *d, FILE *f);
+void diag_absorb(Diag *d, Diag *sibling, const char *text);
 // A collecting sink that knows the parent's files. diag_merge reports its messages through the parent, in order,
 // and frees it.
 Diag *diag_child(const Diag *parent);
@@ -66,8 +70,13 @@ const DiagMessage *diag_get(const Diag *d, size_t i);
 void log_info(Diag *d, const char *fmt, ...) PRINTF_LIKE(2, 3);
 void log_debug(Diag *d, const char *fmt, ...) PRINTF_LIKE(2, 3);
 
-// One status line rewritten in place, only when stderr is a terminal and the level is LOG_DEFAULT: "2D  41%".
-// done in [0, 1]; call with 1 to finish the line. Cheap to call often (at most ten updates a second are drawn).
-void log_progress(Diag *d, const char *stage, double done);
+// One status line rewritten in place, only when stderr is a terminal and the level is LOG_DEFAULT:
+// "meshing  41 %  1234 triangles/s  3 s left". done of all (0: not known) things called `what`, since `began` of time_wall.
+// Any message ends the line, and so does log_progress_end. Cheap to call often: at most ten updates a second are drawn, the
+// first after half a second.
+void log_progress(Diag *d, const char *stage, double done, double all, const char *what, double began);
+void log_progress_end(Diag *d);
+// Would log_progress draw anything?
+bool log_progress_wanted(const Diag *d);
 
 #endif

@@ -56,6 +56,7 @@ enum { WRITER_BUF = 1 << 18, MAX_TEMPORARIES = 64, PATH_CAP = 4096 };
 
 struct Writer {
   int fd, error, slot; // slot in temporaries[], or -1 when written directly
+  bool sync;
   size_t used;
   char *target;
   char buf[WRITER_BUF];
@@ -113,6 +114,7 @@ Writer *writer_open(const char *path)
   Writer *w = mem_alloc(sizeof *w);
   w->fd = fd;
   w->error = 0;
+  w->sync = false;
   w->slot = slot;
   w->used = 0;
   w->target = mem_strdup(path);
@@ -216,10 +218,12 @@ static void forget(Writer *w, bool remove)
   free(w);
 }
 
+void writer_sync(Writer *w) { w->sync = true; }
+
 int writer_close(Writer *w)
 {
   flush(w);
-  if (!w->error && w->slot >= 0 && fsync(w->fd) != 0 && errno != EINVAL) w->error = errno;
+  if (w->sync && !w->error && w->slot >= 0 && fsync(w->fd) != 0 && errno != EINVAL) w->error = errno;
   if (close(w->fd) != 0 && !w->error) w->error = errno;
   if (!w->error && w->slot >= 0 && rename(temporaries[w->slot].path, w->target) != 0) w->error = errno;
   int error = w->error;

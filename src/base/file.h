@@ -34,7 +34,10 @@ void writer_double(Writer *w, double v); // shortest decimal text that reads bac
 char *writer_reserve(Writer *w, size_t n);
 void writer_commit(Writer *w, size_t n);
 
-// Flush, fsync, rename. 0, or the errno of the first thing that went wrong, in which case nothing is left behind
+// Have writer_close wait until the bytes are on the disk: the file then survives a loss of power too.
+void writer_sync(Writer *w);
+
+// Flush, rename. 0, or the errno of the first thing that went wrong, in which case nothing is left behind
 // and an old file of that name is untouched. Frees w.
 int writer_close(Writer *w);
 

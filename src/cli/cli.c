@@ -144,6 +144,31 @@ static void set_color(Walk *w)
   if (s) usage_error(w, "-color takes auto, always or never, not '%'", s, "");
 }
 
+static void set_color_by(Walk *w)
+{
+  static const char *const what[] = {"group", "gamma", "angle", "eta"}; // in the order of PictureColor
+  const char *s = next_word(w, "color_by");
+  for (int i = 0; s && i < 4; i++)
+    if (strcmp(s, what[i]) == 0) {
+      w->c->color_by = (PictureColor)i;
+      return;
+    }
+  if (s) usage_error(w, "-color_by takes group, gamma, angle or eta, not '%'", s, "");
+}
+
+static void next_int(Walk *w, const char *sw, int lo, int hi, int *value)
+{
+  double v = 0;
+  if (!next_number(w, sw, &v)) return;
+  if (v >= lo && v <= hi && v == (int)v) {
+    *value = (int)v;
+    return;
+  }
+  char range[64];
+  snprintf(range, sizeof range, "%d to %d", lo, hi);
+  usage_error(w, "-% needs a whole number from %", sw, range);
+}
+
 static void positive(Walk *w, const char *sw, double *value, double unit)
 {
   double v = 0;
@@ -186,6 +211,11 @@ static void do_command(Walk *w, CommandId id)
     if ((s = next_word(w, "require")) != NULL) vec_push(&c->require, s);
     break;
   case CMD_NO_REPORT: c->report = false; break;
+  case CMD_COLOR_BY: set_color_by(w); break;
+  case CMD_MARK_WORST: next_int(w, "mark_worst", 0, 50, &c->mark_worst); break;
+  case CMD_HISTOGRAM: c->histogram = true; break;
+  case CMD_WIDTH: next_int(w, "width", 200, 20000, &c->width); break;
+  case CMD_SYNC: c->sync = true; break;
   case CMD_EXPLAIN_SIZE: c->explain = next_word(w, "explain_size"); break;
   case CMD_ALGO: set_algorithm(w); break;
   case CMD_QUAD:

@@ -7,6 +7,7 @@
 #include "base/diag.h"
 #include "base/mem.h"
 #include "opt/options.h"
+#include "out/formats.h"
 
 typedef enum {
 #define GROUP(title)
@@ -43,7 +44,9 @@ typedef struct {
   const char *format;    // or NULL
   Vec(Setting) settings;
   const char *bgm, *log, *shell, *explain;
-  bool json, report, keep_going, allow_system, werror, voronoi;
+  bool json, report, keep_going, allow_system, werror, voronoi, sync, histogram;
+  PictureColor color_by;
+  int width, mark_worst; // of pictures: pixels, elements; 0: default, none
   int color;             // 0 never, 1 always, 2 auto
   double time_limit;     // seconds, 0: none
   double max_memory;     // bytes, 0: none

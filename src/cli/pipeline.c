@@ -5,11 +5,11 @@
 #include "cli/pipeline.h"
 
 #include <errno.h>
-#include <sys/stat.h>
+#include <math.h>
 
-#include "base/file.h"
 #include "base/str.h"
-#include "base/thread.h"
+#include "cli/batch.h"
+#include "cli/output.h"
 #include "cli/report.h"
 #include "mesh/boundary_layer.h"
 #include "mesh/high_order.h"
@@ -18,7 +18,6 @@
 #include "mesh/mesh_check.h"
 #include "mesh/periodic.h"
 #include "mesh/subdivide.h"
-#include "model/unroll.h"
 #include "out/formats.h"
 
 // ---- meshing ----------------------------------------------------------------------------------------------------------
@@ -122,109 +121,6 @@ static bool generate(Job *j, int dim)
   return j->mesh != NULL;
 }
 
-// ---- writing ------------------------------------------------------------------------------------------------------------
-static OutOptions out_options(const Options *o)
-{
-  return (OutOptions){.binary = o->Mesh_Binary,
-                      .save_all = o->Mesh_SaveAll,
-                      .save_parametric = o->Mesh_SaveParametric,
-                      .scaling = o->Mesh_ScalingFactor,
-                      .first_node = (uint64_t)o->Mesh_FirstNodeTag,
-                      .first_element = (uint64_t)o->Mesh_FirstElementTag,
-                      .element_tag = o->Mesh_SaveElementTagType,
-                      .groups_of_nodes = o->Mesh_SaveGroupsOfNodes != 0,
-                      .no_groups_of_elements = o->Mesh_SaveGroupsOfElements == 0,
-                      .stl_solids = o->Mesh_StlOneSolidPerSurface,
-                      .threads = o->General_NumThreads};
-}
-
-// The format that options ask for where the command line is silent: Mesh.Format, and the version of .msh.
-static const char *format_for(const Job *j, const char *path)
-{
-  static const struct { int number; const char *name; } numbered[] = {
-      {1, "msh"}, {2, "unv"}, {16, "vtk"}, {27, "stl"}, {30, "mesh"}, {39, "inp"}, {40, "ply"}, {42, "su2"}, {53, "off"}, {57, "obj"}};
-  const char *name = j->cli->format;
-  if (name && strcmp(name, "auto") == 0) name = NULL;
-  for (size_t i = 0; !name && i < ARRAY_LEN(numbered); i++)
-    if (numbered[i].number == j->options.Mesh_Format) name = numbered[i].name;
-  const char *dot = strrchr(path, '.');
-  bool msh = name ? strcmp(name, "msh") == 0 : dot && strcmp(dot, ".msh") == 0;
-  if (msh) name = j->options.Mesh_MshFileVersion >= 3 ? "msh4" : "msh2";
-  return name;
-}
-
-static ExitCode write_mesh(Job *j, const char *path)
-{
-  OutOptions o = out_options(&j->options);
-  return out_write(j->mesh, path, format_for(j, path), &o, j->diag);
-}
-
-static const char *base_name(const char *path)
-{
-  const char *slash = strrchr(path, '/');
-  return slash ? slash + 1 : path;
-}
-
-// Input without its extension, with another one.
-static char *with_extension(const char *path, const char *extension)
-{
-  const char *base = base_name(path), *dot = strrchr(base, '.');
-  size_t stem = dot && dot != base ? (size_t)(dot - path) : strlen(path);
-  Str s = {0};
-  str_append_n(&s, path, stem);
-  str_printf(&s, ".%s", extension);
-  return s.data;
-}
-
-static const char *default_extension(const Job *j)
-{
-  const char *f = format_for(j, ".msh");
-  return strncmp(f, "msh", 3) == 0 ? "msh" : f;
-}
-
-static ExitCode write_all(Job *j)
-{
-  ExitCode status = EXIT_GOOD;
-  stage_begin(&j->stats, "write");
-  if (!j->cli->outputs.len) {
-    char *path = with_extension(strcmp(j->input, "-") == 0 ? "stdin" : j->input, default_extension(j));
-    status = write_mesh(j, path);
-    free(path);
-  }
-  for (size_t i = 0; i < j->cli->outputs.len && status == EXIT_GOOD; i++) {
-    const char *path = j->cli->outputs.data[i];
-    struct stat st;
-    if (strcmp(path, "-") != 0 && stat(path, &st) == 0 && S_ISDIR(st.st_mode)) {
-      char *name = with_extension(base_name(j->input), default_extension(j));
-      Str s = {0};
-      str_printf(&s, "%s/%s", path, name);
-      status = write_mesh(j, str_text(&s));
-      str_free(&s);
-      free(name);
-    } else {
-      status = write_mesh(j, path);
-    }
-  }
-  stage_end(&j->stats);
-  return status;
-}
-
-static ExitCode write_model(Job *j)
-{
-  if (!model_prepare(j->model, j->options.Geometry_Tolerance, j->diag)) return EXIT_INPUT;
-  char *own = j->cli->outputs.len ? NULL : with_extension(j->input, "geo_unrolled");
-  const char *path = own ? own : j->cli->outputs.data[0];
-  Writer *w = writer_open(path);
-  int error = w ? 0 : errno;
-  if (w) {
-    model_unroll(j->model, w);
-    error = writer_close(w);
-  }
-  if (error) diag_error(j->diag, NO_LOC, "%s: %s", path, strerror(error));
-  free(own);
-  return error ? EXIT_ENVIRONMENT : EXIT_GOOD;
-}
-
 // ---- what a script may ask for in the middle ------------------------------------------------------------------------
 // Split every element, whatever the order of the mesh, which stays.
 static void split_elements(Job *j, Subdivision how)
@@ -276,17 +172,14 @@ static bool host_save(void *ctx, const char *path, SrcLoc loc)
     diag_error(j->diag, loc, "Save: there is no mesh yet: say Mesh 2; before");
     return false;
   }
-  OutOptions o = out_options(&j->options);
   const Format *f = format_of_path(path);
-  const char *name = f ? format_name(f) : "msh";
-  if (strcmp(name, "msh") == 0 || strcmp(name, "msh4") == 0) name = j->options.Mesh_MshFileVersion >= 3 ? "msh4" : "msh2";
-  return out_write(j->mesh, path, name, &o, j->diag) == EXIT_GOOD;
+  return output_mesh(j, path, f ? format_name(f) : "msh") == EXIT_GOOD;
 }
 
 static void host_print(void *ctx, const char *text)
 {
   Job *j = ctx;
-  if (diag_level(j->diag) >= LOG_PRINTF) printf("%s\n", text);
+  if (diag_level(j->diag) >= LOG_PRINTF) fprintf(j->out, "%s\n", text);
 }
 
 static bool host_statistic(void *ctx, const char *key, double *value)
@@ -307,7 +200,7 @@ static bool host_statistic(void *ctx, const char *key, double *value)
 static bool host_system(void *ctx, const char *command, SrcLoc loc)
 {
   Job *j = ctx;
-  fflush(stdout);
+  fflush(j->out);
   if (system(command) == 0) return true;
   diag_warning(j->diag, loc, "the command failed: %s", command);
   return true;
@@ -397,6 +290,30 @@ static bool audit(Job *j)
   return good;
 }
 
+// Surface elements of so many corners.
+static size_t count_corners(const Mesh *m, int corners)
+{
+  size_t n = 0;
+  for (size_t b = 0; b < m->nblock; b++)
+    if (elem_corners(m->block[b].type) == corners && elem_dim(m->block[b].type) == 2) n += m->block[b].n;
+  return n;
+}
+
+// Write what was asked for, then report: on standard output, unless a mesh goes there.
+static ExitCode write_and_report(Job *j, bool wanted)
+{
+  OutOptions o = output_options(j);
+  bool to_stdout = false;
+  for (size_t i = 0; i < j->cli->outputs.len; i++) to_stdout = to_stdout || strcmp(j->cli->outputs.data[i], "-") == 0;
+  out_warn_dropped(j->mesh, &o, j->diag);
+  ExitCode status = output_all(j);
+  if (status == EXIT_GOOD && wanted)
+    status = report_print(j, j->node_size, to_stdout ? stderr : j->out);
+  else if (j->summary)
+    *j->summary = (JobSummary){true, j->mesh->nnode, mesh_count(j->mesh, 1), count_corners(j->mesh, 3), count_corners(j->mesh, 4), NAN};
+  return status;
+}
+
 static ExitCode finish(Job *j)
 {
   if (j->options.Mesh_NbPartitions > 1) {
@@ -405,13 +322,7 @@ static ExitCode finish(Job *j)
   }
   bool good = j->mesh_dim < 0 || audit(j);
   if (!good && !j->cli->keep_going) return EXIT_INPUT;
-  OutOptions o = out_options(&j->options);
-  out_warn_dropped(j->mesh, &o, j->diag);
-  bool to_stdout = false; // then the report would be in the way
-  for (size_t i = 0; i < j->cli->outputs.len; i++) to_stdout = to_stdout || strcmp(j->cli->outputs.data[i], "-") == 0;
-  ExitCode status = write_all(j);
-  bool wanted = j->cli->report || j->cli->json || j->cli->require.len;
-  if (status == EXIT_GOOD && wanted) status = report_print(j, j->node_size, to_stdout ? stderr : stdout);
+  ExitCode status = write_and_report(j, true);
   if (status == EXIT_GOOD && (!good || j->failed_faces)) status = EXIT_PARTIAL;
   return status;
 }
@@ -431,7 +342,7 @@ static ExitCode explain_size(Job *j)
   SizeEval *e = size_eval_new(size);
   Str text = {0};
   size_explain(e, size_face_at(j->model, (Vec3){x, y, 0}), (Vec3){x, y, 0}, &text);
-  fputs(str_text(&text), stdout);
+  fputs(str_text(&text), j->out);
   ExitCode status = size_eval_report(e, j->diag) ? EXIT_INPUT : EXIT_GOOD;
   str_free(&text);
   size_eval_free(e);
@@ -462,7 +373,7 @@ static ExitCode run_geo(Job *j)
     status = explain_size(j);
     if (status != EXIT_GOOD || !j->cli->action_given) return status; // a question alone makes no mesh
   }
-  if (action == CMD_MESH0) return write_model(j);
+  if (action == CMD_MESH0) return output_model(j);
   if (action == CMD_SAVE || action == CMD_REFINE || action == CMD_BARYCENTRIC) {
     if (!j->mesh) diag_error(j->diag, NO_LOC, "the script makes no mesh (as Mesh 2; does)");
     if (!j->mesh) return EXIT_INPUT;
@@ -474,6 +385,7 @@ static ExitCode run_geo(Job *j)
   return finish(j);
 }
 
+// A mesh that exists is converted, or reported on; only switches that speak of meshes apply.
 static ExitCode run_mesh_file(Job *j)
 {
   ExitCode status = EXIT_INPUT;
@@ -481,86 +393,33 @@ static ExitCode run_mesh_file(Job *j)
   j->mesh = out_read(j->input, NULL, j->diag, &status);
   stage_end(&j->stats);
   if (!j->mesh) return status;
+  bool wanted = j->cli->json || j->cli->require.len;
   if (!j->cli->outputs.len && !j->cli->format) {
+    if (wanted) return report_print(j, NULL, j->out);
     diag_error(j->diag, NO_LOC, "%s is a mesh: say where to write it (-o file) or use meshgen check", j->input);
     return EXIT_USAGE;
   }
   split_if_asked(j);
-  return write_all(j);
+  return write_and_report(j, wanted);
 }
 
-static ExitCode run_one(const Cli *c, const char *input, Diag *diag, int threads)
+ExitCode pipeline_run_one(const Cli *c, const char *input, Diag *diag, int threads, FILE *out, JobSummary *summary)
 {
   Job j;
   job_init(&j, c, input, diag, threads);
+  j.out = out;
+  j.summary = summary;
   ExitCode status = is_mesh_file(input) ? run_mesh_file(&j) : run_geo(&j);
+  if (status == EXIT_GOOD && diag_errors(diag)) status = EXIT_INPUT;
+  if (status != EXIT_GOOD && c->json && !j.reported) report_failure(&j, status, out);
   job_free(&j);
   return status;
 }
 
-// ---- all inputs -------------------------------------------------------------------------------------------------------
-typedef struct {
-  const Cli *cli;
-  Diag **diag;
-  ExitCode *status;
-} Batch;
-
-static void run_batch_item(void *ctx, size_t i, int worker)
-{
-  (void)worker;
-  Batch *b = ctx;
-  b->status[i] = run_one(b->cli, b->cli->inputs.data[i], b->diag[i], 1);
-}
-
-static ExitCode run_batch(const Cli *c, Diag *diag)
-{
-  size_t n = c->inputs.len;
-  Batch b = {c, mem_alloc(n * sizeof(Diag *)), mem_alloc(n * sizeof(ExitCode))};
-  for (size_t i = 0; i < n; i++) b.diag[i] = diag_child(diag);
-  thread_for(n, c->options.General_NumThreads, run_batch_item, &b);
-  ExitCode worst = EXIT_GOOD;
-  for (size_t i = 0; i < n; i++) {
-    diag_merge(diag, b.diag[i]);
-    printf("%s: %s\n", c->inputs.data[i], b.status[i] == EXIT_GOOD ? "good" : "failed");
-    if (b.status[i] != EXIT_GOOD && (worst == EXIT_GOOD || b.status[i] < worst)) worst = b.status[i];
-  }
-  free(b.diag);
-  free(b.status);
-  return worst;
-}
-
-// What can be known wrong before any work is done.
-static ExitCode check_request(const Cli *c, Diag *diag)
-{
-  struct stat st;
-  if (!c->inputs.len) {
-    diag_error(diag, NO_LOC, "no input file; see meshgen -help");
-    return EXIT_USAGE;
-  }
-  if (c->format && strcmp(c->format, "auto") != 0 && !format_find(c->format)) {
-    diag_error(diag, NO_LOC, "unknown format '%s'; see docs/formats.md for those there are", c->format);
-    return EXIT_USAGE;
-  }
-  bool by_extension = (!c->format || strcmp(c->format, "auto") == 0) && c->action != CMD_MESH0;
-  for (size_t i = 0; i < c->outputs.len; i++) {
-    const char *path = c->outputs.data[i];
-    bool folder = stat(path, &st) == 0 && S_ISDIR(st.st_mode);
-    if (by_extension && !folder && strcmp(path, "-") != 0 && !format_of_path(path)) {
-      diag_error(diag, NO_LOC, "%s: the extension names no known format (say -format)", path);
-      return EXIT_USAGE;
-    }
-    if (c->inputs.len > 1 && !folder) {
-      diag_error(diag, NO_LOC, "with several inputs -o must name an existing folder, not '%s'", path);
-      return EXIT_USAGE;
-    }
-  }
-  return EXIT_GOOD;
-}
-
 ExitCode pipeline_run(const Cli *c, Diag *diag)
 {
-  ExitCode status = check_request(c, diag);
+  ExitCode status = output_check(c, diag);
   if (status != EXIT_GOOD) return status;
-  if (c->inputs.len > 1) return run_batch(c, diag);
-  return run_one(c, c->inputs.data[0], diag, c->options.General_NumThreads);
+  if (c->inputs.len > 1) return batch_run(c, diag);
+  return pipeline_run_one(c, c->inputs.data[0], diag, c->options.General_NumThreads, stdout, NULL);
 }

@@ -13,6 +13,13 @@
 #include "size/field.h"
 #include "size/size.h"
 
+// What a batch says of one input.
+typedef struct {
+  bool known;              // a mesh was made or read
+  size_t nodes, lines, triangles, quads;
+  double min_gamma;        // NAN without triangles
+} JobSummary;
+
 // All that belongs to one input. Nothing is shared between jobs, so that a batch may run them in parallel.
 typedef struct {
   const Cli *cli;
@@ -31,7 +38,13 @@ typedef struct {
   size_t failed_faces;
   int threads;
   bool ended;        // the script said Exit
+  bool reported;     // the report was printed
+  FILE *out;         // what goes to standard output
+  JobSummary *summary; // filled instead of printing the report as text; NULL: print it
 } Job;
+
+// Run one input. What it prints goes to out, and to summary (may be NULL) instead of a report as text.
+ExitCode pipeline_run_one(const Cli *c, const char *input, Diag *diag, int threads, FILE *out, JobSummary *summary);
 
 // Run everything the command line asks for. Messages go to diag. Returns the exit status.
 ExitCode pipeline_run(const Cli *c, Diag *diag);

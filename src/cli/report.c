@@ -11,7 +11,7 @@
 #include "mesh/mesh_hash.h"
 #include "mesh/mesh_stats.h"
 
-enum { REPORT_VERSION = 1 };
+enum { REPORT_VERSION = 2 };
 
 typedef struct {
   const Job *job;
@@ -234,15 +234,44 @@ static void json_stages(Json *j, const Stats *s)
   json_end(j, ']');
 }
 
-static void print_json(const Report *r, FILE *f)
+// What every report begins with, whether there is a mesh or not.
+static void json_head(Json *j, const Job *job, ExitCode status)
+{
+  json_begin(j, NULL, '{');
+  json_integer(j, "report_version", REPORT_VERSION);
+  json_string(j, "meshgen", meshgen_version);
+  json_string(j, "input", job->input);
+  json_integer(j, "exit_status", status);
+  json_options(j, &job->options);
+}
+
+static void json_tail(Json *j, const Job *job, FILE *f)
+{
+  json_stages(j, &job->stats);
+  json_messages(j, job->diag);
+  json_end(j, '}');
+  fprintf(f, "%s\n", str_text(&j->out));
+  str_free(&j->out);
+}
+
+static void json_conditions(Json *j, const Report *r, const ExitCode *verdict)
+{
+  const Cli *c = r->job->cli;
+  json_begin(j, "require", '[');
+  for (size_t i = 0; i < c->require.len; i++) {
+    json_begin(j, NULL, '{');
+    json_string(j, "condition", c->require.data[i]);
+    json_bool(j, "holds", verdict[i] == EXIT_GOOD);
+    json_end(j, '}');
+  }
+  json_end(j, ']');
+}
+
+static void print_json(const Report *r, ExitCode status, const ExitCode *verdict, FILE *f)
 {
   const MeshStats *s = &r->stats;
   Json j = {0};
-  json_begin(&j, NULL, '{');
-  json_integer(&j, "report_version", REPORT_VERSION);
-  json_string(&j, "meshgen", meshgen_version);
-  json_string(&j, "input", r->job->input);
-  json_options(&j, &r->job->options);
+  json_head(&j, r->job, status);
   Figure list[FIGURES];
   size_t n = figures(r, list);
   json_begin(&j, "mesh", '{');
@@ -252,6 +281,7 @@ static void print_json(const Report *r, FILE *f)
   json_vec(&j, "box_max", s->hi);
   json_string(&j, "hash", r->hash);
   json_end(&j, '}');
+  json_conditions(&j, r, verdict);
   json_parts(&j, "groups", s->group.data, s->group.len, true);
   json_parts(&j, "entities", s->entity.data, s->entity.len, false);
   json_begin(&j, "histograms", '{');
@@ -260,28 +290,42 @@ static void print_json(const Report *r, FILE *f)
   json_histogram(&j, "angle", &s->angle);
   json_end(&j, '}');
   json_worst(&j, s);
-  json_stages(&j, &r->job->stats);
-  json_messages(&j, r->job->diag);
-  json_end(&j, '}');
-  fprintf(f, "%s\n", str_text(&j.out));
-  str_free(&j.out);
+  json_tail(&j, r->job, f);
 }
 
-ExitCode report_print(const Job *j, const double *node_size, FILE *f)
+void report_failure(const Job *job, ExitCode status, FILE *f)
+{
+  Json j = {0};
+  json_head(&j, job, status);
+  json_string(&j, "mesh", NULL);
+  json_tail(&j, job, f);
+}
+
+static void summarize(const Report *r, JobSummary *to)
+{
+  const MeshStats *s = &r->stats;
+  *to = (JobSummary){true, s->nodes, s->lines, s->triangles, s->quads, s->gamma.n ? s->gamma.min : NAN};
+}
+
+ExitCode report_print(Job *j, const double *node_size, FILE *f)
 {
   Report r = {.job = j};
+  const Cli *c = j->cli;
   mesh_stats_make(&r.stats, j->mesh, node_size);
   MeshHash h = mesh_hash(j->mesh, j->options.Mesh_SaveAll);
   mesh_hash_print(h.full, r.hash);
-  ExitCode status = EXIT_GOOD;
-  for (size_t i = 0; i < j->cli->require.len; i++) {
-    ExitCode s = check_condition(&r, j->cli->require.data[i], j->diag);
-    if (s != EXIT_GOOD && status != EXIT_USAGE) status = s;
+  ExitCode status = EXIT_GOOD, *verdict = mem_alloc(c->require.len * sizeof *verdict);
+  for (size_t i = 0; i < c->require.len; i++) {
+    verdict[i] = check_condition(&r, c->require.data[i], j->diag);
+    if (verdict[i] != EXIT_GOOD && status != EXIT_USAGE) status = verdict[i];
   }
-  if (j->cli->json)
-    print_json(&r, f);
-  else if (j->cli->report && diag_level(j->diag) > LOG_SILENT)
+  if (j->summary) summarize(&r, j->summary);
+  if (c->json)
+    print_json(&r, status, verdict, f);
+  else if (c->report && !j->summary && diag_level(j->diag) > LOG_SILENT)
     print_text(&r, f);
+  j->reported = true;
+  free(verdict);
   mesh_stats_free(&r.stats);
   return status;
 }

@@ -5,9 +5,12 @@
 
 #include "cli/pipeline.h"
 
-// Print the report of j's mesh to f (nothing at -v 0; one JSON object with --json; schema in docs/report.md), then check the
+// Print the report of j's mesh to f (nothing at -v 0, nor in a batch, whose summary gets it; one JSON object with --json; schema in docs/report.md), then check the
 // -require conditions: EXIT_INPUT and an error per condition that does not hold, EXIT_USAGE for one that cannot be read.
 // node_size: wanted edge length at each node for the efficiency index, or NULL.
-ExitCode report_print(const Job *j, const double *node_size, FILE *f);
+ExitCode report_print(Job *j, const double *node_size, FILE *f);
+
+// The report of an input that ended without a mesh to report on, as one JSON object: why is in its messages.
+void report_failure(const Job *j, ExitCode status, FILE *f);
 
 #endif

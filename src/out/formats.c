@@ -94,6 +94,7 @@ static int write_file(const Format *f, const Selection *s, const char *path, con
   if (f->write_files) return f->write_files(path, s, o);
   Writer *w = writer_open(path);
   if (!w) return errno;
+  if (o->sync) writer_sync(w);
   f->write(w, s, o);
   return writer_close(w);
 }

@@ -22,12 +22,13 @@ typedef struct {
   bool no_groups_of_elements;// leave out element sets (inp, unv)
   int stl_solids;            // 0 one solid, 1 one per face, 2 one per group
   const char *title;         // line of text in formats that have one; NULL for the program's name
+  bool sync;                 // wait until the file is on the disk
   int threads;               // as for thread_for; never changes a byte
   // pictures
   PictureColor color;
   int width;                 // pixels; 0 means 1400
   int mark_worst;            // elements of least quality to mark with a ring
-  bool histogram;            // of the coloured measure, at the right
+  bool histogram;            // at the right: of gamma where groups are coloured; a coloured measure always has its own
 } OutOptions;
 
 typedef struct Format Format;

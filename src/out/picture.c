@@ -271,9 +271,9 @@ static int bin_of(const Scale *s, double value)
   return !(t > 0) ? 0 : t >= BINS ? BINS - 1 : (int)t;
 }
 
-static void fill_by_measure(Picture *p, Scale *s)
+// The measure of every surface element, in order, counted into the scale's bins. The caller frees.
+static DoubleVec measure(const Mesh *m, Scale *s)
 {
-  const Mesh *m = p->mesh;
   DoubleVec value = {0};
   for (size_t b = 0; b < m->nblock; b++)
     if (elem_dim(m->block[b].type) == 2)
@@ -282,6 +282,13 @@ static void fill_by_measure(Picture *p, Scale *s)
         s->count[bin_of(s, vec_last(&value))]++;
       }
   s->n = value.len;
+  return value;
+}
+
+static void fill_by_measure(Picture *p, Scale *s)
+{
+  const Mesh *m = p->mesh;
+  DoubleVec value = measure(m, s);
   for (int bin = 0; bin < BINS; bin++) {
     if (!s->count[bin]) continue;
     begin_polygons(p);
@@ -528,10 +535,14 @@ static void draw(Writer *w, CanvasKind kind, const Selection *s, const OutOption
     fill_by_measure(&p, &scale);
   draw_edges(&p);
   draw_curves(&p);
+  if (o->color == PICTURE_BY_GROUP && o->histogram) {
+    DoubleVec value = measure(p.mesh, &scale);
+    vec_free(&value);
+  }
   if (o->mark_worst) mark_worst(&p, scale.what);
   legend_title(&p);
-  if (o->color != PICTURE_BY_GROUP) draw_histogram(&p, &scale);
-  else legend_groups(&p, 2, "Faces", face_colors, ARRAY_LEN(face_colors));
+  if (o->color != PICTURE_BY_GROUP || o->histogram) draw_histogram(&p, &scale);
+  if (o->color == PICTURE_BY_GROUP) legend_groups(&p, 2, "Faces", face_colors, ARRAY_LEN(face_colors));
   legend_groups(&p, 1, "Boundaries", line_colors, ARRAY_LEN(line_colors));
   canvas_close(p.canvas);
   mesh_edges_free(&p.edges);

@@ -104,6 +104,7 @@ int triangle__write(const char *path, const Selection *s, const OutOptions *o)
     w[i] = writer_open(name);
     if (!w[i]) error = errno;
     free(name);
+    if (w[i] && o->sync) writer_sync(w[i]);
     if (w[i]) body[i](w[i], s, o);
   }
   for (int i = 0; i < 3; i++) {
