@@ -5,6 +5,7 @@
 #include "mesh/mesh2d.h"
 
 #include "base/thread.h"
+#include "mesh/face_copy.h"
 #include "mesh/face_graph.h"
 #include "mesh/face_quads.h"
 #include "mesh/filling_mesh.h"
@@ -20,6 +21,7 @@ typedef struct {
   Diag **diag;       // one collecting sink per face
   const size_t *order; // faces, largest first
   SizeEval **eval;   // one per worker
+  uint32_t *source;  // per face: the one whose mesh it copies once that is there, or NONE
 } Driver;
 
 TriRefineParams mesh2d_refine_params(const Options *o, const Face *f, SizeInPlane *here)
@@ -154,11 +156,38 @@ static void mesh_one(void *ctx, size_t i, int worker)
 {
   Driver *d = ctx;
   size_t k = d->order[i];
+  if (d->source[k] != NONE) return;
   const Face *f = model_face_at(d->in->model, k);
   check_context("mesh 2D", f->tag);
   if (structured_face(d->in, f, d->nodes, &d->face[k], d->diag[k])) return;
   if (extruded_face(d->in, f, d->nodes, &d->face[k], d->diag[k])) return;
   mesh_plane_face(d, k, d->eval[worker], &d->face[k], d->diag[k]);
+}
+
+// Copies after their sources; those that do not fit, and those that would wait for each other, are meshed on their own.
+static void mesh_copies(Driver *d, size_t n)
+{
+  size_t left = 0;
+  for (size_t i = 0; i < n; i++) left += d->source[d->order[i]] != NONE;
+  while (left) {
+    size_t before = left, waiting = NONE;
+    for (size_t i = 0; i < n; i++) {
+      size_t k = d->order[i], from = d->source[k];
+      if (from == NONE) continue;
+      waiting = k;
+      if (d->source[from] != NONE) continue;
+      bool copied = face_copy(d->in, model_face_at(d->in->model, k), d->nodes, &d->face[from], &d->face[k]);
+      d->source[k] = NONE;
+      if (!copied) mesh_one(d, i, 0);
+      left--;
+    }
+    if (left == before) { // a ring
+      d->source[waiting] = NONE;
+      left--;
+      for (size_t i = 0; i < n; i++)
+        if (d->order[i] == waiting) mesh_one(d, i, 0);
+    }
+  }
 }
 
 typedef struct {
@@ -194,6 +223,23 @@ static size_t *order_of_faces(const Mesh2dInput *in)
   return order;
 }
 
+// Copies among the n faces which[] of others among them.
+static uint32_t *sources_of_copies(const Mesh2dInput *in, const size_t *which, size_t n)
+{
+  size_t all = model_faces(in->model);
+  uint32_t *source = mem_alloc((all + 1) * sizeof *source);
+  bool *here = mem_zalloc(all + 1);
+  for (size_t i = 0; i < n; i++) here[which[i]] = true;
+  for (size_t k = 0; k < all; k++) {
+    const Face *f = model_face_at(in->model, k);
+    bool asked = here[k] && (f->copy_of || f->periodic_master) && !boundary_layers_on(in->layers, k);
+    source[k] = asked ? face_copy_source(in->model, f) : NONE;
+    if (source[k] != NONE && !here[source[k]]) source[k] = NONE;
+  }
+  free(here);
+  return source;
+}
+
 size_t mesh2d_run_some(const Mesh2dInput *in, const EdgeNodes *nodes, const size_t *which, size_t n, FaceMesh *face)
 {
   int workers = thread_count(in->threads);
@@ -208,7 +254,10 @@ size_t mesh2d_run_some(const Mesh2dInput *in, const EdgeNodes *nodes, const size
     face[which[i]] = (FaceMesh){0};
     d.diag[which[i]] = diag_child(in->diag);
   }
+  d.source = sources_of_copies(in, which, n);
   thread_for(n, in->threads, mesh_one, &d);
+  mesh_copies(&d, n);
+  free(d.source);
   size_t failed = 0;
   for (size_t k = 0; k < model_faces(in->model); k++) {
     if (!d.diag[k]) continue;

@@ -14,7 +14,7 @@ typedef enum {
   RULE_ORPHAN_NODE,       // every node is in an element
   RULE_DUPLICATE_ELEMENT, // no two elements have the same corners
   RULE_EDGE,              // in a face an edge has one element on each side, or one and a boundary
-  RULE_T_JUNCTION,        // no node lies within a boundary edge
+  RULE_T_JUNCTION,        // no node lies within a boundary edge; a warning where it belongs to something not joined to it
   RULE_HOLE,              // the boundary of a face lies on its curves
   RULE_LOST_EDGE,         // every line element is an edge of the faces that its curve bounds or is embedded in
   RULE_CLASSIFICATION,    // nodes of an element are on its entity or on what bounds it

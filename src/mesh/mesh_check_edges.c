@@ -340,6 +340,46 @@ static uint32_t node_within(const Grid *g, uint32_t p, uint32_t q)
   return NONE;
 }
 
+typedef struct {
+  HalfEdge edge;
+  uint32_t node;
+  bool line;   // the edge is a line element of a curve
+  bool inside; // the node is one of the face's own
+} Junction;
+typedef Vec(Junction) JunctionVec;
+
+// Which nodes are in the face of the edge they lie in: stamp the nodes face by face.
+static void find_own_nodes(const Check *c, JunctionVec *found)
+{
+  const Mesh *m = c->m;
+  uint32_t *face = mem_alloc(m->nnode * sizeof *face);
+  memset(face, 0xff, m->nnode * sizeof *face);
+  for (uint32_t b = 0; b < m->nblock; b++) {
+    const MeshBlock *k = &m->block[b];
+    if (elem_dim(k->type) != 2) continue;
+    for (size_t i = 0; i < k->n * (size_t)elem_nodes(k->type); i++) face[k->node[i]] = k->entity;
+    for (size_t i = 0; i < found->len; i++) {
+      Junction *j = &found->data[i];
+      if (m->block[j->edge.block].entity == k->entity && face[j->node] == k->entity) j->inside = true;
+    }
+  }
+  free(face);
+}
+
+// A node within an edge is an error where the mesh contradicts itself: the node is of the same face, or the edge is on no curve. An edge
+// on a curve is complete by that curve's mesh; then the node is of something that lies there without being joined.
+static void report_junctions(Check *c, JunctionVec *found)
+{
+  if (found->len) find_own_nodes(c, found);
+  for (size_t i = 0; i < found->len; i++) {
+    const Junction *j = &found->data[i];
+    bool apart = j->line && !j->inside;
+    check__report(c, RULE_T_JUNCTION, apart, c->m->block[j->edge.block].entity, j->edge.block, j->edge.element, j->node,
+                  mesh_xyz(c->m, j->node), "node %u%s lies within the edge of nodes %u and %u", j->node + 1,
+                  apart ? ", not joined to it," : "", j->edge.a + 1, j->edge.b + 1);
+  }
+}
+
 static void check_junctions(Check *c, EdgeScan *s)
 {
   const Mesh *m = c->m;
@@ -352,20 +392,21 @@ static void check_junctions(Check *c, EdgeScan *s)
   for (size_t i = 0; i < s->half.len; i++)
     if (count_of(&sorted, s->boundary.data[i]) == 1) vec_push(&alone, s->half.data[i]);
   vec_free(&sorted);
+  JunctionVec found = {0};
   if (alone.len) {
     Grid g = {0};
     grid_make(&g, c, &alone);
     for (size_t i = 0; i < alone.len; i++) {
       HalfEdge e = mesh_edges_at(&c->edges, m, alone.data[i]);
       uint32_t v = node_within(&g, e.a, e.b);
-      if (v != NONE)
-        check__report(c, RULE_T_JUNCTION, false, m->block[e.block].entity, e.block, e.element, v, mesh_xyz(m, v),
-                      "node %u lies within the edge of nodes %u and %u", v + 1, e.a + 1, e.b + 1);
+      if (v != NONE) vec_push(&found, ((Junction){.edge = e, .node = v, .line = map_get(&c->line, map_pair(e.a, e.b)) != NONE}));
     }
     vec_free(&g.node);
     vec_free(&g.next);
     map_free(&g.cell);
   }
+  report_junctions(c, &found);
+  vec_free(&found);
   vec_free(&alone);
 }
 

@@ -166,13 +166,61 @@ bool model_set_periodic_curves(Model *m, const int *slave, const int *master, si
   return !l.warned;
 }
 
+// Does the map take the control points of `o` to those of `c`, in order or (backwards) against it?
+static bool is_image(const Model *m, const Affine *a, const Curve *c, const Curve *o, bool backwards, double tolerance)
+{
+  if (c->type != o->type || c->npoint != o->npoint) return false;
+  for (int i = 0; i < c->npoint; i++) {
+    int k = !backwards                                       ? i
+            : c->type == CURVE_ELLIPSE && (i == 1 || i == 2) ? i
+                                                             : c->npoint - 1 - i;
+    Vec3 p = affine_apply(a, model_point(m, o->point[k])->xyz);
+    if (vec3_distance(p, model_point(m, c->point[i])->xyz) > tolerance) return false;
+  }
+  return true;
+}
+
+// Make the curves of f periodic with those of its master that the map takes to them; what has no image is left alone.
+static bool pair_curves(Model *m, const Face *f, const Affine *affine, SrcLoc loc, Diag *diag)
+{
+  IntVec mine = {0}, theirs = {0}, start = {0}, slave = {0}, master = {0};
+  double tolerance = 1e-6 * vec3_distance(m->extent.lo, m->extent.hi);
+  face_boundary(m, f, &mine, &start);
+  face_boundary(m, model_face(m, f->periodic_master), &theirs, &start);
+  for (size_t i = 0; i < mine.len; i++) {
+    const Curve *c = model_curve(m, mine.data[i]);
+    for (size_t k = 0; k < theirs.len && !c->periodic_master; k++) {
+      const Curve *o = model_curve(m, theirs.data[k]);
+      bool same = is_image(m, affine, c, o, false, tolerance);
+      if (o == c || (!same && !is_image(m, affine, c, o, true, tolerance))) continue;
+      vec_push(&slave, c->tag);
+      vec_push(&master, same ? o->tag : -o->tag);
+      break;
+    }
+  }
+  bool good = model_set_periodic_curves(m, slave.data, master.data, slave.len, affine, loc, diag);
+  vec_free(&mine);
+  vec_free(&theirs);
+  vec_free(&start);
+  vec_free(&slave);
+  vec_free(&master);
+  return good;
+}
+
 bool model_set_periodic_face(Model *m, int slave, int master, const int *slave_edge, const int *master_edge, size_t n,
                              const Affine *affine, SrcLoc loc, Diag *diag)
 {
   List l = {m, KIND_FACE, "Periodic Surface", loc, diag, false};
   Face *f = member(&l, slave);
   if (!f || !member(&l, master)) return false;
+  if (tag__abs(slave) == tag__abs(master)) {
+    diag_error(diag, loc, "surface %d cannot be periodic with itself", f->tag);
+    return false;
+  }
   f->periodic_master = tag__abs(master);
+  f->copy_map = affine ? arena_dup(&m->arena, affine->m, sizeof affine->m) : NULL;
+  m->ncopied++;
+  if (affine && !n) return pair_curves(m, f, affine, loc, diag);
   return model_set_periodic_curves(m, slave_edge, master_edge, n, affine, loc, diag);
 }
 

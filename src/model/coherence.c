@@ -564,6 +564,12 @@ static void merge_faces(Model *m, Merged *g)
   find_equal_faces(m, g);
   if (!g->gone[2].len) return;
   groups_follow(m, 2, g);
+  for (uint32_t s = 0; m->ncopied && s < m->face.used; s++) {
+    Face *f = table__slot(&m->face, s);
+    if (f->tag == DEAD_TAG) continue;
+    if (f->copy_of) f->copy_of = merged__tag(g, 2, f->copy_of);
+    if (f->periodic_master) f->periodic_master = merged__tag(g, 2, f->periodic_master);
+  }
   for (uint32_t s = 0; s < m->volume.used; s++) {
     Volume *v = table__slot(&m->volume, s);
     if (v->tag == DEAD_TAG) continue;

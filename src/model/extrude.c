@@ -156,6 +156,12 @@ static int sweep_face(Job *j, int face, int *top, IntVec *lateral)
   int tag = model__next_tag(m, KIND_FACE);
   renumber_face(m, *top, tag);
   *top = tag;
+  if (j->layers.n) {
+    Face *f = model_face(m, tag);
+    f->copy_of = face;
+    f->copy_map = arena_dup(&m->arena, j->full.m, sizeof j->full.m);
+    m->ncopied++;
+  }
   IntVec shell = {0};
   vec_push(&shell, -face);
   vec_push(&shell, *top);

@@ -115,7 +115,9 @@ typedef struct {
   int extruded_side[2];   // signed tags of the curves swept by its begin and end point (0: degenerate)
   int extruded_top;       // tag of the copy of extruded_curve at the far end
   Layers layers;
-  int periodic_master;
+  int periodic_master;    // tag of the face whose mesh is copied (Periodic Surface); 0: none
+  int copy_of;            // the same of an extrusion with Layers, whose far end this is
+  const double *copy_map; // by this map (row-major 4x4) from the other face to this; NULL: as the pairs of their curves say
   int compound;
   bool reverse_mesh;      // Reverse Surface
   IntVec embedded_points, embedded_curves;

@@ -136,7 +136,7 @@ bool model_set_compound(Model *m, int dim, const int *tag, size_t n, SrcLoc loc,
 // Periodic Curve {slave} = {master}, signed tags; affine NULL: by parameter.
 bool model_set_periodic_curves(Model *m, const int *slave, const int *master, size_t n, const Affine *affine, SrcLoc loc,
                                Diag *diag);
-// Periodic Surface slave {..} = master {..}; edges may be empty.
+// Periodic Surface slave {..} = master {..}; without edges the map says which curves go together.
 bool model_set_periodic_face(Model *m, int slave, int master, const int *slave_edge, const int *master_edge, size_t n,
                              const Affine *affine, SrcLoc loc, Diag *diag);
 // Point|Curve {..} In Surface {face}.

@@ -89,6 +89,7 @@ struct Model {
   IntVec pending_loop;      // loops that did not sort yet
   IntVec layered;           // curves with copy_of
   size_t nperiodic;         // curves with a periodic master
+  size_t ncopied;           // at least so many faces take the mesh of another; 0: none
   Chains cell, curve_key, face_key;
   double cell_size, cell_diagonal;
   Box3 extent;              // of all points there ever were

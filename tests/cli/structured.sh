@@ -38,6 +38,34 @@ mesh 'Point(1)={0,0,0,1};Point(2)={1,0,0,1};Point(3)={.5,.9,0,1};Line(1)={1,2};L
 Plane Surface(1)={1};Transfinite Curve{1:3}=6;Transfinite Surface{1};Mesh.TransfiniteTri=1;'
 prints "21 nodes, 15 lines, 25 triangles" "a triangular grid has n * n triangles"
 
+# ---- faces that copy faces ----
+name="a box of layers"
+mesh 'Point(1)={2,0,0};l[]=Extrude{1,0,0}{Point{1};Layers{4};};s[]=Extrude{0,1,0}{Curve{l[1]};Layers{4};Recombine;};
+v[]=Extrude{0,0,1}{Surface{s[1]};Layers{4};Recombine;};'
+prints "98 nodes, 48 lines, 0 triangles, 96 quadrangles" "the far end of a swept face has its mesh"
+same_cells() { # ENTITY ENTITY: have they equally many elements of each type in a.msh?
+  awk -v a="$1" -v b="$2" '/^\$Elements/ { on = 1 } on && NF > 5 && ($2 == 2 || $2 == 3) { n[$5, $2]++ }
+    END { exit !(n[a, 2] + n[a, 3] > 5 && n[a, 2] == n[b, 2] && n[a, 3] == n[b, 3]) }' a.msh
+}
+name="a free mesh swept round an axis"
+mesh "$square Recombine Surface{1}; Extrude{{0,1,0},{-1,0,0},Pi/3}{Surface{1};Layers{3};}"
+check "both ends have the same cells" same_cells 1 26
+check "and fit the sides" "$MESHGEN" check a.msh
+name="a periodic box"
+mesh "${square/1,1,0,.1/1,1,0,.02} e[]=Extrude{0,0,1}{Surface{1};}; Periodic Surface{e[0]}={1} Translate{0,0,1};
+Periodic Surface{e[3]}={e[5]} Translate{1,0,0};"
+check "its top has the cells of its bottom" same_cells 1 26
+check "and its right side those of its left" same_cells 17 25
+check "and all fits" "$MESHGEN" check a.msh
+
+# ---- bodies in contact ----
+name="two squares that are not joined"
+mesh 'Point(1)={0,0,0,.1};Point(2)={1,0,0,.1};Point(3)={1,1,0,.1};Point(4)={0,1,0,.1};Line(1)={1,2};Line(2)={2,3};Line(3)={3,4};
+Line(4)={4,1};Point(5)={0,1,0,.07};Point(6)={1,1,0,.07};Point(7)={1,2,0,.07};Point(8)={0,2,0,.07};Line(5)={5,6};Line(6)={6,7};
+Line(7)={7,8};Line(8)={8,5};Line Loop(1)={1:4};Line Loop(2)={5:8};Plane Surface(1)={1};Plane Surface(2)={2};'
+prints "100 lines" "each has its own nodes on the contact"
+check "which the audit only mentions" "$MESHGEN" check a.msh
+
 # ---- subdivision and order ----
 name="all quadrangles"
 mesh "$square" -setnumber Mesh.SubdivisionAlgorithm 1
