@@ -213,10 +213,7 @@ bool model_set_periodic_face(Model *m, int slave, int master, const int *slave_e
   List l = {m, KIND_FACE, "Periodic Surface", loc, diag, false};
   Face *f = member(&l, slave);
   if (!f || !member(&l, master)) return false;
-  if (tag__abs(slave) == tag__abs(master)) {
-    diag_error(diag, loc, "surface %d cannot be periodic with itself", f->tag);
-    return false;
-  }
+  if (tag__abs(slave) == tag__abs(master)) return model_set_periodic_curves(m, slave_edge, master_edge, n, affine, loc, diag);
   f->periodic_master = tag__abs(master);
   f->copy_map = affine ? arena_dup(&m->arena, affine->m, sizeof affine->m) : NULL;
   m->ncopied++;
