@@ -132,6 +132,16 @@ static void split_elements(Job *j, Subdivision how)
   if (order > 1) set_order(j, order);
 }
 
+// RecombineMesh: the faces are meshed once more, to be recombined.
+static bool recombine(Job *j)
+{
+  int all = j->options.Mesh_RecombineAll;
+  j->options.Mesh_RecombineAll = 1;
+  bool good = generate(j, j->mesh_dim);
+  j->options.Mesh_RecombineAll = all;
+  return good;
+}
+
 static bool host_mesh(void *ctx, MeshCommand what, double number, const char *text, SrcLoc loc)
 {
   Job *j = ctx;
@@ -149,9 +159,10 @@ static bool host_mesh(void *ctx, MeshCommand what, double number, const char *te
   case MESH_PARTITION: break;
   }
   if (!j->mesh) {
-    diag_error(j->diag, loc, "there is no mesh yet: say Mesh 2; before");
-    return false;
+    diag_warning(j->diag, loc, "there is no mesh yet, so nothing is done: say Mesh 2; before");
+    return true;
   }
+  if (what == MESH_RECOMBINE) return recombine(j);
   if (what == MESH_SET_ORDER) {
     if (number >= 1 && number < HIGH_ORDER_MAX + 1) return set_order(j, (int)number), true;
     diag_error(j->diag, loc, "SetOrder: the order must be 1 to %d", HIGH_ORDER_MAX);
@@ -169,8 +180,8 @@ static bool host_save(void *ctx, const char *path, SrcLoc loc)
 {
   Job *j = ctx;
   if (!j->mesh) {
-    diag_error(j->diag, loc, "Save: there is no mesh yet: say Mesh 2; before");
-    return false;
+    diag_warning(j->diag, loc, "Save: there is no mesh yet, so nothing is written: say Mesh 2; before");
+    return true;
   }
   const Format *f = format_of_path(path);
   return output_mesh(j, path, f ? format_name(f) : "msh") == EXIT_GOOD;

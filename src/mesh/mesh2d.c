@@ -102,6 +102,24 @@ static void warn_of_algorithm(const Face *f, const Options *o, Diag *diag)
     diag_warning(diag, f->loc, "surface %d: algorithm %d (%s) is not available; Frontal-Delaunay is used", f->tag, a, name);
 }
 
+// The sizes given at embedded points bound what their vertices carry; NULL without any. The caller frees the array.
+static double *embedded_sizes(const Driver *d, const Face *f, const FaceGraph *g, SizeEval *eval)
+{
+  double *size = NULL;
+  for (size_t i = 0; i < f->embedded_points.len; i++) {
+    const Point *p = model_point(d->in->model, f->embedded_points.data[i]);
+    uint32_t node = p && p->lc < LC_UNSET ? edge_nodes_point(d->in->model, p->tag) : NONE;
+    uint32_t v = node == NONE ? NONE : map_get(&g->local, node);
+    if (v == NONE) continue;
+    if (!size) {
+      size = mem_alloc(g->node.len * sizeof *size);
+      for (size_t j = 0; j < g->node.len; j++) size[j] = INFINITY;
+    }
+    size[v] = (g->coarse ? 2 : 1) * size_at_point(eval, p);
+  }
+  return size;
+}
+
 static void mesh_plane_face(const Driver *d, size_t k, SizeEval *eval, FaceMesh *out, Diag *diag)
 {
   const Face *f = model_face_at(d->in->model, k);
@@ -130,9 +148,11 @@ static void mesh_plane_face(const Driver *d, size_t k, SizeEval *eval, FaceMesh 
       p.size = doubled_size;
       p.size_ctx = &doubled;
     }
-    double *sizes = NULL;
+    double *sizes = NULL, *bound = embedded_sizes(d, f, &g, eval);
+    p.vertex_size = bound;
     p.sizes_out = &sizes;
     TriRefineStats s = tri_refine(&t, &p);
+    free(bound);
     size_eval_report(eval, diag);
     if (s.outcome == REFINE_LIMIT) {
       diag_error(diag, f->loc, "surface %d would have more than %zu triangles (Mesh.MaxElements, -max_elements)", f->tag,

@@ -47,7 +47,7 @@ void curve__drop(Model *m, int tag)
   table__remove(&m->curve, tag);
 }
 
-int loop__make_hidden(Model *m, const int *curve, int ncurve, SrcLoc loc)
+int loop__make_open(Model *m, const int *curve, int ncurve, SrcLoc loc)
 {
   int tag = (int)m->hidden.live;
   while (table__find(&m->hidden, tag) != NONE) tag++;
@@ -56,9 +56,15 @@ int loop__make_hidden(Model *m, const int *curve, int ncurve, SrcLoc loc)
   l->curve = arena_dup(&m->arena, curve, (size_t)ncurve * sizeof *curve);
   l->ncurve = ncurve;
   l->loc = loc;
-  l->sorted = true;
-  for (int i = 0; i < ncurve; i++) model_curve(m, curve[i])->in_loops++;
   return l->tag;
+}
+
+int loop__make_hidden(Model *m, const int *curve, int ncurve, SrcLoc loc)
+{
+  int tag = loop__make_open(m, curve, ncurve, loc);
+  model_loop(m, tag)->sorted = true;
+  for (int i = 0; i < ncurve; i++) model_curve(m, curve[i])->in_loops++;
+  return tag;
 }
 
 void face__count_uses(Model *m, const Face *f, int delta)

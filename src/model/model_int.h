@@ -122,6 +122,7 @@ int tag__claim(Model *m, Kind k, int tag, SrcLoc loc, Diag *diag); // the tag to
 // edit.c: entities without checks, for copies and extrusions. The arrays are copied into the arena.
 Point *point__make(Model *m, int tag, Vec3 xyz, double lc, SrcLoc loc);
 Curve *curve__make(Model *m, int tag, CurveType type, const int *point, int npoint, int begin, int end, SrcLoc loc);
+int loop__make_open(Model *m, const int *curve, int ncurve, SrcLoc loc); // curves in any order, not sorted yet
 int loop__make_hidden(Model *m, const int *curve, int ncurve, SrcLoc loc);
 Face *face__make(Model *m, int tag, FaceType type, const int *loop, int nloop, SrcLoc loc);
 Volume *volume__make(Model *m, int tag, const int *face, int nface, SrcLoc loc);

@@ -50,10 +50,56 @@ static bool prepare_loop(Model *m, Loop *l, bool used, Diag *diag)
   return true;
 }
 
+// Loops that are open by themselves may close together: a boundary listed in parts, as in Plane Surface(1) = {hole, left, right}.
+// They become one.
+static void join_open_loops(Model *m, Face *f, Diag *diag)
+{
+  IntVec curve = {0}, kept = {0};
+  int nopen = 0;
+  size_t at = 0;
+  for (int k = 0; k < f->nloop; k++) {
+    Loop *l = model_loop(m, f->loop[k]);
+    LoopState state = l ? loop__sort(m, l, true, diag) : LOOP_UNKNOWN_CURVE;
+    if (state == LOOP_UNKNOWN_CURVE) nopen = INT32_MIN;
+    if (state != LOOP_OPEN) {
+      vec_push(&kept, f->loop[k]);
+      continue;
+    }
+    if (!nopen++) {
+      at = kept.len;
+      vec_push(&kept, 0);
+    }
+    for (int i = 0; i < l->ncurve; i++) vec_push(&curve, f->loop[k] < 0 ? -l->curve[i] : l->curve[i]);
+  }
+  if (nopen > 1) {
+    Diag *child = diag_child(diag);
+    int tag = loop__make_open(m, curve.data, (int)curve.len, f->loc);
+    Loop *joint = model_loop(m, tag);
+    if (loop__sort(m, joint, true, child) == LOOP_OK) {
+      for (int k = 0; k < f->nloop; k++) {
+        Loop *l = model_loop(m, f->loop[k]);
+        if (!l->sorted) l->reported = true; // closed by the others
+      }
+      kept.data[at] = tag;
+      memcpy(f->loop, kept.data, kept.len * sizeof *f->loop);
+      f->nloop = (int)kept.len;
+    } else {
+      joint->reported = true;
+    }
+    diag_free(child);
+  }
+  vec_free(&curve);
+  vec_free(&kept);
+}
+
 static bool prepare_loops(Model *m, Diag *diag)
 {
   Map used = {0};
   bool good = true;
+  for (size_t i = 0; i < model_faces(m); i++) {
+    Face *f = model_face_at(m, i);
+    if (f->type == FACE_PLANE && f->nloop > 1) join_open_loops(m, f, diag);
+  }
   for (size_t i = 0; i < model_faces(m); i++) {
     const Face *f = model_face_at(m, i);
     for (int k = 0; k < f->nloop; k++) map_set(&used, (uint64_t)tag__abs(f->loop[k]), 1);
@@ -102,11 +148,27 @@ static bool prepare_curves(Model *m, Diag *diag)
   return good;
 }
 
+// With a map, the map says which way the master runs, whatever its sign.
+static void orient_master(const Model *m, Curve *c)
+{
+  Affine map;
+  memcpy(map.m, c->affine, sizeof map.m);
+  int from = curve__from(m, c->periodic_master), to = curve__to(m, c->periodic_master);
+  Vec3 a = affine_apply(&map, model_point(m, from)->xyz), b = affine_apply(&map, model_point(m, to)->xyz);
+  Vec3 p = model_point(m, c->begin)->xyz, q = model_point(m, c->end)->xyz;
+  double as_written = vec3_distance(a, p) + vec3_distance(b, q), turned = vec3_distance(a, q) + vec3_distance(b, p);
+  if (turned < 1e-3 * as_written) c->periodic_master = -c->periodic_master;
+}
+
 static void check_periodic(Model *m, Diag *diag)
 {
   for (size_t i = 0; m->nperiodic && i < model_curves(m); i++) {
     Curve *c = model_curve_at(m, i);
-    if (!c->periodic_master || model_curve(m, c->periodic_master)) continue;
+    if (!c->periodic_master) continue;
+    if (model_curve(m, c->periodic_master)) {
+      if (c->affine) orient_master(m, c);
+      continue;
+    }
     diag_warning(diag, c->loc, "the master %d of periodic curve %d does not exist any more", tag__abs(c->periodic_master), c->tag);
     c->periodic_master = 0;
   }
