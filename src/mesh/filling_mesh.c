@@ -13,7 +13,7 @@ Vec3 face_map_point(const FaceMap *map, Vec2 q)
 
 bool filling_wanted(Filling *s, const Model *m, const Face *f)
 {
-  return f->type == FACE_FILLING && !f->planar && !f->embedded_curves.len && !f->embedded_points.len && filling_init(s, m, f);
+  return f->type == FACE_FILLING && !f->planar && !f->sphere && !f->embedded_curves.len && !f->embedded_points.len && filling_init(s, m, f);
 }
 
 void filling_place(const Filling *s, const Mesh2dInput *in, const Face *f, const EdgeNodes *en, FaceGraph *g)

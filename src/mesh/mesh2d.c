@@ -115,7 +115,7 @@ static double *embedded_sizes(const Driver *d, const Face *f, const FaceGraph *g
       size = mem_alloc(g->node.len * sizeof *size);
       for (size_t j = 0; j < g->node.len; j++) size[j] = INFINITY;
     }
-    size[v] = (g->coarse ? 2 : 1) * size_at_point(eval, p);
+    size[v] = (g->coarse ? 2 : 1) * size_at_point(eval, p) * face_plane_scale(f, face_to_plane(f, p->xyz));
   }
   return size;
 }

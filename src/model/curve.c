@@ -63,7 +63,8 @@ Vec3 curve_point(const Model *m, const Curve *c, double u)
   }
   double s, width;
   int i = shape__piece(h, u, &s, &width);
-  return bezier__at(shape__control(h, i), h->degree, s, NULL, NULL);
+  Vec3 p = bezier__at(shape__control(h, i), h->degree, s, NULL, NULL);
+  return c->sphere ? polar_point(c->sphere, polar_plane(c->sphere, p)) : p;
 }
 
 static void derivatives(const Model *m, const Curve *c, double u, Vec3 *d1, Vec3 *d2)

@@ -16,7 +16,13 @@ void curve__release(Curve *c)
   c->shape = NULL;
 }
 
-static Vec3 control(const Model *m, const Curve *c, int i) { return point__get(m, c->point[i])->xyz; }
+static Vec3 control(const Model *m, const Curve *c, int i)
+{
+  Vec3 x = point__get(m, c->point[i])->xyz;
+  if (!c->sphere) return x;
+  Vec2 p = polar_plane(c->sphere, x);
+  return (Vec3){p.x, p.y, 0};
+}
 
 static CurveShape *new_shape(const Model *m, const Curve *c, ShapeKind kind)
 {
@@ -306,7 +312,10 @@ bool curve__build(Model *m, Curve *c, Diag *diag)
     break;
   }
   if (!h) return false;
-  h->straight = h->kind == SHAPE_PIECES && pieces_straight(h);
+  if (c->sphere)
+    sphere__lift(c->sphere, h);
+  else
+    h->straight = h->kind == SHAPE_PIECES && pieces_straight(h);
   c->shape = h;
   return true;
 }

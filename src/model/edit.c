@@ -28,6 +28,7 @@ Curve *curve__make(Model *m, int tag, CurveType type, const int *point, int npoi
   c->end = end;
   c->loc = loc;
   c->coef = 1;
+  if (m->sphere && type != CURVE_CIRCLE && type != CURVE_ELLIPSE) c->sphere = sphere__of_points(m, point, npoint);
   for (int i = 0; i < npoint; i++) point__get(m, point[i])->uses++;
   point__get(m, begin)->uses++;
   point__get(m, end)->uses++;
@@ -186,7 +187,8 @@ int model_add_point(Model *m, int tag, Vec3 xyz, double lc, SrcLoc loc, Diag *di
     diag_error(diag, loc, "coordinates of point %d are not finite (%g, %g, %g)", tag, xyz.x, xyz.y, xyz.z);
     return refuse(m, KIND_POINT, tag);
   }
-  point__make(m, tag, xyz, lc, loc);
+  const PolarSphere *s = m->sphere;
+  point__make(m, tag, s ? polar_point(s, (Vec2){xyz.x, xyz.y}) : xyz, lc, loc)->sphere = s;
   return tag;
 }
 
@@ -259,6 +261,7 @@ int model_add_curve(Model *m, CurveType type, int tag, const int *point, size_t 
     npoint = 4;
   }
   if (type == CURVE_LINE && npoint > 2) type = CURVE_POLYLINE;
+  if (type == CURVE_LINE && m->sphere && sphere__of_points(m, point, 2)) type = CURVE_BSPLINE; // straight in the plane, not in space
   Curve *c = curve__make(m, tag, type, point, (int)npoint, point[0], point[npoint - 1], loc);
   if (plane) {
     c->has_plane = true;

@@ -188,6 +188,15 @@ static bool any_normal(const Vec3Vec *p, double size, Vec3 *n)
   return false;
 }
 
+// The sphere on which all the curves were drawn, if there is one.
+static const PolarSphere *common_sphere(const Model *m, const IntVec *curve)
+{
+  const PolarSphere *s = curve->len ? model_curve(m, curve->data[0])->sphere : NULL;
+  for (size_t i = 1; s && i < curve->len; i++)
+    if (model_curve(m, curve->data[i])->sphere != s) return NULL;
+  return s;
+}
+
 bool face__build(Model *m, Face *f, double tolerance, Diag *diag)
 {
   IntVec curve = {0}, start = {0};
@@ -199,7 +208,8 @@ bool face__build(Model *m, Face *f, double tolerance, Diag *diag)
   }
   Vec3Vec p = {0};
   f->planar = false;
-  if (good) {
+  f->sphere = good ? common_sphere(m, &curve) : NULL;
+  if (good && !f->sphere) {
     sample(m, curve.data, (size_t)start.data[1], &p);
     double largest, size = extent(&p, &largest);
     Vec3 n = newell(p.data, p.len);

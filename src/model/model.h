@@ -16,11 +16,20 @@
 
 #define LC_UNSET 1e22 // Gmsh's "no size given"
 
+// A sphere drawn in the plane of its stereographic projection: (x, y) of the plane stands for
+// centre + radius (-2x, -2y, 1 - q) / (1 + q),  q = x^2 + y^2 (PolarSphere; conformal).
+typedef struct {
+  int tag, centre_point, pole_point;
+  Vec3 centre;
+  double radius;
+} PolarSphere;
+
 typedef struct {
   int tag;
   uint32_t uses; // by curves; kept by model_edit.h, as the counts below
   Vec3 xyz;
   double lc;    // > 0, or LC_UNSET
+  const PolarSphere *sphere; // given by coordinates in its plane; else NULL
   SrcLoc loc;   // the statement that made it
 } Point;
 
@@ -61,6 +70,7 @@ typedef struct {
   int nknot;
   bool has_plane;         // Circle/Ellipse ... Plane {n}
   Vec3 plane;
+  const PolarSphere *sphere; // drawn in its plane, as all its points are (never circles, ellipses); else NULL
   Arc *arc;               // CURVE_CIRCLE, CURVE_ELLIPSE given by numbers: then point is {start, end}; else NULL
   SrcLoc loc;
 
@@ -123,6 +133,7 @@ typedef struct {
   IntVec embedded_points, embedded_curves;
 
   // geometry, made by model_prepare
+  const PolarSphere *sphere; // all boundary curves are on it: face_to_plane is its projection then, in units of length at the pole
   Vec3 origin, axis_u, axis_v, normal; // orthonormal frame of the face's plane; (0,0,0),x,y,z when it lies in z = 0
                                        // (a clockwise outer loop there has normal -z, axis_u = x and axis_v = -y)
   bool planar;            // all boundary points are in that plane within Geometry.Tolerance
@@ -192,13 +203,31 @@ bool curve_is_straight(const Model *m, const Curve *c);
 double curve_angle(const Model *m, const Curve *c); // of circle and ellipse arcs, radians; 0 for others
 
 // ---- the plane of a face ---------------------------------------------------------------------------------------------
+static inline Vec3 polar_point(const PolarSphere *s, Vec2 p)
+{
+  double q = p.x * p.x + p.y * p.y, f = s->radius / (1 + q);
+  return (Vec3){s->centre.x - 2 * f * p.x, s->centre.y - 2 * f * p.y, s->centre.z + f * (1 - q)};
+}
+static inline Vec2 polar_plane(const PolarSphere *s, Vec3 x) // x need not be on the sphere: the ray from the centre counts
+{
+  Vec3 d = vec3_sub(x, s->centre);
+  double w = -1 / (vec3_length(d) + d.z);
+  return (Vec2){w * d.x + 0.0, w * d.y + 0.0};
+}
+// On a sphere the plane is conformal only: this many times a length there is the length in the plane. 1 for plane faces.
+static inline double face_plane_scale(const Face *f, Vec2 q)
+{
+  return f->sphere ? 1 + (q.x * q.x + q.y * q.y) / (4 * f->sphere->radius * f->sphere->radius) : 1;
+}
 static inline Vec2 face_to_plane(const Face *f, Vec3 p)
 {
+  if (f->sphere) return vec2_scale(2 * f->sphere->radius, polar_plane(f->sphere, p));
   Vec3 d = vec3_sub(p, f->origin);
   return (Vec2){vec3_dot(d, f->axis_u), vec3_dot(d, f->axis_v)};
 }
 static inline Vec3 face_from_plane(const Face *f, Vec2 q)
 {
+  if (f->sphere) return polar_point(f->sphere, vec2_scale(0.5 / f->sphere->radius, q));
   return vec3_add(f->origin, vec3_add(vec3_scale(q.x, f->axis_u), vec3_scale(q.y, f->axis_v)));
 }
 

@@ -42,6 +42,9 @@ int model_new_tag(const Model *m, Kind k);
 // ---- making -------------------------------------------------------------------------------------------------------------
 // The tag given must be >= 0 and new, or -1 for the next one. They return the tag, or -1 after an error.
 int model_add_point(Model *m, int tag, Vec3 xyz, double lc, SrcLoc loc, Diag *diag); // lc <= 0: none
+// PolarSphere(tag) = {centre, pole}: from now on the first two coordinates of points are those of its plane. Returns tag or -1.
+int model_set_polar_sphere(Model *m, int tag, int centre, int pole, SrcLoc loc, Diag *diag);
+bool model_has_polar_sphere(const Model *m);
 // type as written: CURVE_LINE with more than 2 points becomes CURVE_POLYLINE; CURVE_ELLIPSE with 3 points has its start on the
 // major axis. plane: NULL, or the normal of `Plane {..}`. knot: only for CURVE_NURBS.
 int model_add_curve(Model *m, CurveType type, int tag, const int *point, size_t npoint, const Vec3 *plane,

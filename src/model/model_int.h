@@ -75,6 +75,7 @@ enum { HIDDEN_LOOP = 1 << 30 };
 
 struct Model {
   ModelSettings set;
+  const PolarSphere *sphere; // in whose plane points are given now; in the arena
   Arena arena;              // control points, knots, loops, names
   Table point, curve, loop, hidden, face, surface_loop, volume;
   int max[KIND_COUNT];
@@ -168,6 +169,9 @@ bool loop__verify(Model *m, Loop *l, Diag *diag);
 // curve_shape.c
 bool curve__build(Model *m, Curve *c, Diag *diag);
 void curve__release(Curve *c);
+
+// sphere.c
+const PolarSphere *sphere__of_points(const Model *m, const int *point, int n); // of them all, or NULL
 
 // face_plane.c
 bool face__build(Model *m, Face *f, double tolerance, Diag *diag);

@@ -164,16 +164,56 @@ static Vec3 own_place(const Model *m, const Point *p)
   return p->xyz;
 }
 
-static void put_points(Writer *w, const Model *m)
+// The points given in the plane of a sphere, or those of space.
+static void put_points(Writer *w, const Model *m, const PolarSphere *sphere)
 {
   for (size_t i = 0; i < model_points(m); i++) {
     const Point *p = model_point_at(m, i);
+    if (p->sphere != sphere) continue;
     Vec3 x = own_place(m, p);
+    if (sphere) {
+      Vec2 q = polar_plane(sphere, x);
+      x = (Vec3){q.x, q.y, 0};
+    }
     double v[4] = {x.x, x.y, x.z, p->lc};
     put_head(w, "Point", p->tag);
     put_doubles(w, v, p->lc < LC_UNSET ? 4 : 3);
     writer_str(w, ";\n");
   }
+}
+
+// Centre and pole: the points they were given by, if they are there yet, or others.
+static void put_pair(Unroll *r, const PolarSphere *s, IntVec *pair)
+{
+  const Point *c = model_point(r->m, s->centre_point), *p = model_point(r->m, s->pole_point);
+  bool centred = c && vec3_distance(c->xyz, s->centre) == 0;
+  bool polar = p && fabs(vec3_distance(p->xyz, s->centre) - s->radius) <= 1e-15 * s->radius;
+  vec_push(pair, centred ? c->tag : fresh_point(r, s->centre));
+  vec_push(pair, polar ? p->tag : fresh_point(r, (Vec3){s->centre.x, s->centre.y, s->centre.z + s->radius}));
+}
+
+// All that is given in space first, since a sphere counts for all points after it.
+static void put_all_points(Unroll *r)
+{
+  Vec(const PolarSphere *) sphere = {0};
+  IntVec pair = {0};
+  put_points(r->w, r->m, NULL);
+  for (size_t i = 0; i < model_points(r->m); i++) {
+    const PolarSphere *s = model_point_at(r->m, i)->sphere;
+    bool known = !s;
+    for (size_t k = 0; k < sphere.len && !known; k++) known = sphere.data[k] == s;
+    if (known) continue;
+    vec_push(&sphere, s);
+    put_pair(r, s, &pair);
+  }
+  for (size_t k = 0; k < sphere.len; k++) {
+    put_head(r->w, "PolarSphere", sphere.data[k]->tag);
+    put_ints(r->w, pair.data + 2 * k, 2);
+    writer_str(r->w, ";\n");
+    put_points(r->w, r->m, sphere.data[k]);
+  }
+  vec_free(&sphere);
+  vec_free(&pair);
 }
 
 // Half circles are told apart by their plane only.
@@ -451,7 +491,7 @@ void model_unroll(const Model *m, Writer *w)
 {
   Unroll r = {.w = w, .m = m, .point = model_max_tag(m, KIND_POINT)};
   for (int k = KIND_CURVE; k < KIND_COUNT; k++) r.next = MAX(r.next, model_max_tag(m, (Kind)k));
-  put_points(w, m);
+  put_all_points(&r);
   put_curves(&r);
   put_faces(&r);
   put_curve_attributes(&r);

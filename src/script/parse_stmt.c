@@ -257,8 +257,8 @@ static Node *parse_keyword(Parser *p)
   case KW_Parametric:
     parse__advance(p);
     return parse__unsupported(p, t, "Surface is not supported: only Plane Surface and Surface are");
+  case KW_PolarSphere: parse__advance(p); return parse__definition(p, t, KW_PolarSphere, 0);
   case KW_Sphere:
-  case KW_PolarSphere:
     parse__advance(p);
     return parse__unsupported(p, t,
                               "is not supported: the plane of a face is the only geometry of surfaces here");

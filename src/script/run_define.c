@@ -111,7 +111,7 @@ static void define_surface(Script *s, const Node *n, int tag)
     break;
   case KW_Plane: model_add_face(s->model, FACE_PLANE, tag, tags.data, tags.len, n->loc, diag); break;
   case KW_Surface:
-    if (n->n > 2)
+    if (n->n > 2 && !model_has_polar_sphere(s->model))
       diag_warning(s->diag, n->loc, "'In Sphere' is not supported: surface %d is filled between its curves",
                    tag);
     // with holes it can only be plane
@@ -194,6 +194,18 @@ static void define_centred_arc(Script *s, const Node *n, int tag)
   script__give(s, v);
 }
 
+static void define_polar_sphere(Script *s, const Node *n, int tag)
+{
+  int faults = s->faults;
+  IntVec points = {0};
+  eval_ints(s, n->kid[1], 0, &points);
+  if (s->faults == faults && points.len != 2)
+    script__error(s, n->loc, "PolarSphere needs two points {centre, pole}; %zu given", points.len);
+  else if (s->faults == faults)
+    model_set_polar_sphere(s->model, tag, points.data[0], points.data[1], n->loc, s->diag);
+  vec_free(&points);
+}
+
 void run_define(Script *s, const Node *n)
 {
   int tag;
@@ -218,6 +230,7 @@ void run_define(Script *s, const Node *n)
   case KW_Nurbs: define_curve(s, n, tag); return;
   case KW_Rectangle:
   case KW_Disk: define_flat(s, n, tag); return;
+  case KW_PolarSphere: define_polar_sphere(s, n, tag); return;
   default: define_surface(s, n, tag);
   }
 }

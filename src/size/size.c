@@ -284,7 +284,7 @@ void size_in_face_batch(SizeEval *e, const Face *f, const Vec3 *p, size_t n, dou
 bool size_is_constant(const SizeField *s, const Face *f, double *h)
 {
   double v = NO_SIZE;
-  if (s->cones) return false;
+  if (s->cones || (f && f->sphere)) return false;
   if (s->root != NONE) {
     const Node *n = &s->node[s->root];
     if (!n->ops->constant || !n->ops->constant(s, n, (Where){2, f ? f->tag : 0}, &v)) return false;
@@ -361,7 +361,7 @@ void size_limit_growth(SizeField *s, const Vec3 *p, const double *h, size_t n)
 double size_in_plane(void *ctx, Vec2 p)
 {
   SizeInPlane *in = ctx;
-  return size_in_face(in->eval, in->face, face_from_plane(in->face, p));
+  return size_in_face(in->eval, in->face, face_from_plane(in->face, p)) * face_plane_scale(in->face, p);
 }
 
 void size_in_plane_batch(void *ctx, const Vec2 *p, size_t n, double *h)
@@ -372,5 +372,6 @@ void size_in_plane_batch(void *ctx, const Vec2 *p, size_t n, double *h)
     size_t m = MIN(n - from, (size_t)BATCH);
     for (size_t i = 0; i < m; i++) at[i] = face_from_plane(in->face, p[from + i]);
     size_in_face_batch(in->eval, in->face, at, m, h + from);
+    for (size_t i = 0; in->face->sphere && i < m; i++) h[from + i] *= face_plane_scale(in->face, p[from + i]);
   }
 }

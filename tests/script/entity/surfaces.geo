@@ -19,7 +19,9 @@ Geometry.OldNewReg = 0;
 Printf("%g %g %g %g %g", newl, newll, news, newsl, newv); // expect: 9 4 7 2 2
 BSpline Surface(9) = {1};                        // expect error: BSpline Surface is not supported
 Parametric Surface(9) = "u" "v" "0";             // expect error: Parametric Surface is not supported
-PolarSphere(1) = {1, 2};                         // expect error: PolarSphere is not supported
+PolarSphere(1) = {1, 99};                        // expect error: PolarSphere 1 uses point 99, which does not exist
+PolarSphere(1) = {1, 1};                         // expect error: PolarSphere 1 has no radius: points 1 and 1 coincide
+PolarSphere(1) = {1};                            // expect error: PolarSphere needs two points {centre, pole}; 1 given
 Sphere(1) = {1, 2};                              // expect error: Sphere is not supported
 Euclidean Coordinates;                           // expect error: Euclidean is not supported
 s[] = Surface{:}; Printf("%g", #s[]);            // expect: 6

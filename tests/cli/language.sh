@@ -1,0 +1,103 @@
+#!/bin/bash
+# language.sh - meshes of scripts as people write them: what the parts of the language come to in the end
+. "$(dirname "$0")/lib.sh"
+points='Point(1)={0,0,0,.1};Point(2)={1,0,0,.1};Point(3)={1,1,0,.1};Point(4)={0,1,0,.1};'
+lines='Line(1)={1,2};Line(2)={2,3};Line(3)={3,4};Line(4)={4,1};'
+square="$points $lines Curve Loop(1)={1:4};Plane Surface(1)={1};"
+mesh() { # SCRIPT ARGS...: mesh it to a.msh and audit that; the report stays in $out
+  printf '%s\n' "$1" >a.geo
+  shift
+  exits "${want:-0}" "${name:?}" "$MESHGEN" -2 a.geo -format msh2 -o a.msh "$@"
+  report=$out
+  [ "${want:-0}" != 0 ] || check "$name: audit" "$MESHGEN" check a.msh
+  want=0 out=$report
+}
+# triangles LO HI: between so many in the report
+triangles() {
+  local n
+  n=$(printf '%s\n' "$report" | sed -n 's/.* \([0-9]*\) triangles.*/\1/p' | head -n 1)
+  check "$name: $n triangles, $1 to $2 expected" [ "$n" -ge "$1" -a "$n" -le "$2" ]
+}
+# area WANT TOLERANCE: of all triangles and quadrangles of a.msh; lines and areas are those of the chords
+area() {
+  check "$name: area $1" awk -v want="$1" -v tol="$2" '
+    /^\$Nodes/ { getline; for (n = $1; n > 0; n--) { getline; x[$1] = $2; y[$1] = $3; z[$1] = $4 } }
+    function tri(a, b, c,   u1, u2, u3, v1, v2, v3) {
+      u1 = x[b] - x[a]; u2 = y[b] - y[a]; u3 = z[b] - z[a]; v1 = x[c] - x[a]; v2 = y[c] - y[a]; v3 = z[c] - z[a]
+      return sqrt((u2 * v3 - u3 * v2) ^ 2 + (u3 * v1 - u1 * v3) ^ 2 + (u1 * v2 - u2 * v1) ^ 2) / 2
+    }
+    /^\$Elements/ { on = 1 }
+    on && $2 == 2 { sum += tri($(NF - 2), $(NF - 1), $NF) }
+    on && $2 == 3 { sum += tri($(NF - 3), $(NF - 2), $(NF - 1)) + tri($(NF - 3), $(NF - 1), $NF) }
+    END { print sum; d = sum - want; exit !(d <= tol && -d <= tol) }' a.msh
+}
+
+# ---- sizes at embedded points ----
+name="an embedded point with a size of its own"
+mesh "$square Point(5)={.5,.5,0,.01}; Point{5} In Surface{1};"
+triangles 450 680
+name="an embedded point without a size"
+mesh "$square Point(5)={.5,.5,0}; Point{5} In Surface{1};"
+triangles 120 290
+name="an embedded point, sizes of points not wanted"
+mesh "$square Point(5)={.5,.5,0,.01}; Point{5} In Surface{1}; Mesh.MeshSizeFromPoints=0; Mesh.MeshSizeMax=.1;"
+triangles 200 290
+
+# ---- boundaries in parts ----
+name="an outer boundary in two open loops, a hole first"
+mesh "$points $lines Point(11)={.3,.3,0,.1};Point(12)={.6,.3,0,.1};Point(13)={.4,.6,0,.1};
+Line(11)={11,12};Line(12)={12,13};Line(13)={13,11};
+Curve Loop(1)={11:13}; Curve Loop(2)={1}; Curve Loop(3)={2,3,4}; Plane Surface(1)={1,2,3};"
+area 0.955 1e-12
+check "nothing is said of the open loops" [ -z "$err" ]
+want=1 name="open loops that do not close together"
+mesh "$points $lines Curve Loop(2)={1}; Curve Loop(3)={2,3}; Plane Surface(1)={2,3};"
+says "is not closed" "the gap is named"
+
+# ---- periodic curves by a map: the map says which way the master runs ----
+name="a master that runs the other way"
+mesh "$square Transfinite Curve{4}=7 Using Progression 1.4; Periodic Curve{2}={4} Translate{1,0,0};"
+check "the nodes face one another" awk '
+    /^\$Nodes/ { getline; for (n = $1; n > 0; n--) { getline; y[$1] = $3 } }
+    /^\$Elements/ { on = 1 } on && $2 == 1 && $5 == 2 { r[y[$6]] } on && $2 == 1 && $5 == 4 { l[y[$6]]; l[y[$7]] }
+    END { for (v in r) if (!(v in l)) exit 1 }' a.msh
+
+# ---- commands on meshes ----
+name="commands on a mesh that is not there yet"
+mesh "$square RefineMesh; RecombineMesh; SetOrder 2; Save 'b.msh';"
+says "there is no mesh yet, so nothing is done" "it is said"
+says "there is no mesh yet, so nothing is written" "of Save too"
+absent "and no file is written" b.msh
+name="RecombineMesh"
+mesh "$square Mesh 2; RecombineMesh; Save 'b.msh2';"
+check "quadrangles are saved" awk '/^\$Elements/ { on = 1 } on && $2 == 3 { n++ } END { exit !(n > 50) }' b.msh2
+
+# ---- a sphere by its stereographic projection ----
+polar='R=2; Point(1)={0,0,0};Point(2)={0,0,R}; PolarSphere(1)={1,2};
+Point(3)={.1,0,0,.1};Point(4)={.5,0,0,.1};Point(5)={.5,.6,0,.1};Point(6)={.1,.5,0,.1};
+Line(1)={3,4};Line(2)={4,5};BSpline(3)={5,6};Spline(4)={6,3};Curve Loop(1)={1:4};Plane Surface(1)={1};Physical Surface(1)={1};'
+name="a patch of a sphere"
+mesh "$polar"
+prints "64 lines" "curves are measured on the sphere" # 6.23 long, in steps of 0.1
+triangles 540 700
+area 2.4803 1e-3
+check "all nodes are on the sphere" awk '
+    /^\$Nodes/ { getline; for (n = $1; n > 0; n--) { getline; d = $2 * $2 + $3 * $3 + $4 * $4 - 4; if (d > 1e-12 || -d > 1e-12) bad++ } }
+    END { exit bad > 0 }' a.msh
+check "elements look outwards" awk '
+    /^\$Nodes/ { getline; for (n = $1; n > 0; n--) { getline; x[$1] = $2; y[$1] = $3; z[$1] = $4 } }
+    /^\$Elements/ { on = 1 }
+    on && $2 == 2 { a = $6; b = $7; c = $8
+      d = x[a] * (y[b] * z[c] - z[b] * y[c]) - y[a] * (x[b] * z[c] - z[b] * x[c]) + z[a] * (x[b] * y[c] - y[b] * x[c]); if (d <= 0) bad++ }
+    END { exit bad > 0 }' a.msh
+cp a.msh first.msh
+check "unrolled" "$MESHGEN" -0 a.geo -o b.geo
+check "and meshed again" "$MESHGEN" -2 b.geo -format msh2 -o b.msh
+check "it is the same patch" sh -c "'$MESHGEN' -2 b.geo -o b.msh | grep -q '64 lines, 60[0-9] triangles'"
+name="a grid on a sphere"
+mesh "$polar Transfinite Curve{:}=9; Transfinite Surface{1}; Recombine Surface{1};"
+prints "64 quadrangles" "transfinite in the plane of the projection"
+name="sizes of fields are those of space"
+mesh "$polar Field[1]=Distance; Field[1].PointsList={2}; Field[2]=Threshold; Field[2].InField=1; Field[2].DistMin=0; Field[2].DistMax=3;
+Field[2].SizeMin=.05; Field[2].SizeMax=.3; Background Field=2; Mesh.MeshSizeFromPoints=0; Mesh.MeshSizeExtendFromBoundary=0;"
+triangles 150 500
