@@ -210,6 +210,7 @@ static void do_command(Walk *w, CommandId id)
   case CMD_REQUIRE:
     if ((s = next_word(w, "require")) != NULL) vec_push(&c->require, s);
     break;
+  case CMD_FULL_REPORT: c->full_report = true; break;
   case CMD_NO_REPORT: c->report = false; break;
   case CMD_COLOR_BY: set_color_by(w); break;
   case CMD_MARK_WORST: next_int(w, "mark_worst", 0, 50, &c->mark_worst); break;

@@ -44,7 +44,7 @@ typedef struct {
   const char *format;    // or NULL
   Vec(Setting) settings;
   const char *bgm, *log, *shell, *explain;
-  bool json, report, keep_going, allow_system, werror, voronoi, sync, histogram;
+  bool json, report, full_report, keep_going, allow_system, werror, voronoi, sync, histogram;
   PictureColor color_by;
   int width, mark_worst; // of pictures: pixels, elements; 0: default, none
   int color;             // 0 never, 1 always, 2 auto

@@ -11,8 +11,6 @@
 #include "mesh/mesh_hash.h"
 #include "mesh/mesh_stats.h"
 
-enum { REPORT_VERSION = 2 };
-
 typedef struct {
   const Job *job;
   MeshStats stats;
@@ -78,11 +76,22 @@ static ExitCode check_condition(const Report *r, const char *text, Diag *diag)
     return EXIT_USAGE;
   }
   double v = f[i].value;
+  if (isnan(v)) {
+    diag_error(diag, NO_LOC, "-require \"%s\" does not hold: this mesh has no such figure", text);
+    return EXIT_INPUT;
+  }
   bool equal = op[k - 1] == '=';
   bool holds = op[0] == '<' ? v < want || (equal && v == want) : op[0] == '>' ? v > want || (equal && v == want) : v == want;
   if (holds) return EXIT_GOOD;
   diag_error(diag, NO_LOC, "-require \"%s\" does not hold: %s is %g", text, f[i].name, v);
   return EXIT_INPUT;
+}
+
+// Was the option changed, and can it change a result?
+static bool option_differs(const Options *o, const OptRow *row)
+{
+  if (row->kind != OPT_NUM && row->kind != OPT_INT && row->kind != OPT_BOOL) return false;
+  return strcmp(row->key, "NumThreads") != 0 && options_get_number(o, row) != row->def;
 }
 
 // ---- text ---------------------------------------------------------------------------------------------------------------
@@ -99,9 +108,10 @@ static void text_measure(FILE *f, const char *name, const MeasureStats *m)
   if (m->n) fprintf(f, "  %-16s min %.4f   5%% %.4f   mean %.4f\n", name, m->min, m->p5, m->mean);
 }
 
+static const char *const dim_name[] = {"point", "curve", "surface"};
+
 static void text_groups(FILE *f, const MeshStats *s)
 {
-  static const char *const dim_name[] = {"point", "curve", "surface"};
   if (!s->group.len) return;
   fprintf(f, "  %-8s %6s  %-24s %10s  %s\n", "group", "tag", "name", "elements", "length or area");
   for (size_t i = 0; i < s->group.len; i++) {
@@ -112,20 +122,66 @@ static void text_groups(FILE *f, const MeshStats *s)
   }
 }
 
+static void text_options(FILE *f, const Options *o)
+{
+  size_t n;
+  const OptRow *rows = options_rows(&n);
+  for (size_t i = 0; i < n; i++)
+    if (option_differs(o, &rows[i]))
+      fprintf(f, "  %-16s %s.%s = %.9g\n", "option", rows[i].category, rows[i].key, options_get_number(o, &rows[i]));
+}
+
+static void text_entities(FILE *f, const MeshStats *s)
+{
+  fprintf(f, "  %-8s %6s %10s  %s\n", "entity", "tag", "elements", "length or area");
+  for (size_t i = 0; i < s->entity.len; i++) {
+    const PartStats *p = &s->entity.data[i];
+    fprintf(f, "  %-8s %6d %10zu", dim_name[p->dim], p->tag, p->elements);
+    if (p->dim) fprintf(f, "  %.9g", p->size);
+    fputc('\n', f);
+  }
+}
+
+// One row per bin that is not empty, with a bar.
+static void text_histogram(FILE *f, const char *name, const MeasureStats *m)
+{
+  enum { BAR = 50 };
+  size_t most = 1;
+  for (int i = 0; i < STATS_BINS; i++) most = MAX(most, m->bin[i]);
+  for (int i = 0; i < STATS_BINS && m->n; i++) {
+    if (!m->bin[i]) continue;
+    int bar = (int)((BAR * m->bin[i] + most - 1) / most);
+    fprintf(f, "  %-11s %5.4g to %5.4g %10zu %.*s\n", name, m->range * i / STATS_BINS, m->range * (i + 1) / STATS_BINS, m->bin[i], bar,
+            "##################################################");
+  }
+}
+
+static void text_worst(FILE *f, const MeshStats *s, size_t n)
+{
+  for (size_t i = 0; i < MIN(n, s->nworst); i++) {
+    const WorstElement *w = &s->worst[i];
+    fprintf(f, "  %-16s %s %llu of surface %d at (%.6g, %.6g), %.4f\n", i ? "" : "worst element", elem_name(w->type),
+            (unsigned long long)w->element, w->tag, w->at.x, w->at.y, w->value);
+  }
+}
+
 static void print_text(const Report *r, FILE *f)
 {
   const MeshStats *s = &r->stats;
+  bool full = r->job->cli->full_report;
+  if (full) fprintf(f, "meshgen %s\n", meshgen_version);
   fprintf(f, "%s: %zu nodes, %zu lines, %zu triangles, %zu quadrangles\n", r->job->input, s->nodes, s->lines,
           s->triangles, s->quads);
+  if (full) text_options(f, &r->job->options);
+  if (full) text_entities(f, s);
   text_groups(f, s);
   text_measure(f, "gamma", &s->gamma);
   text_measure(f, "eta (quads)", &s->eta);
   if (s->angle.n) fprintf(f, "  %-16s %.2f to %.2f degrees\n", "angles", s->angle.min, s->angle_max);
-  if (s->nworst) {
-    const WorstElement *w = &s->worst[0];
-    fprintf(f, "  %-16s %s %llu of surface %d at (%.6g, %.6g), %.4f\n", "worst element", elem_name(w->type),
-            (unsigned long long)w->element, w->tag, w->at.x, w->at.y, w->value);
-  }
+  text_worst(f, s, full ? STATS_WORST : 1);
+  if (full) text_histogram(f, "gamma", &s->gamma);
+  if (full) text_histogram(f, "eta", &s->eta);
+  if (full) text_histogram(f, "angle", &s->angle);
   if (isfinite(s->tau)) fprintf(f, "  %-16s %.4f\n", "efficiency tau", s->tau);
   fprintf(f, "  %-16s %s\n", "hash", r->hash);
   text_time(f, &r->job->stats);
@@ -148,8 +204,7 @@ static void json_options(Json *j, const Options *o)
   json_begin(j, "options", '{');
   for (size_t i = 0; i < n; i++) {
     const OptRow *row = &rows[i];
-    if (row->kind != OPT_NUM && row->kind != OPT_INT && row->kind != OPT_BOOL) continue;
-    if (strcmp(row->key, "NumThreads") == 0 || options_get_number(o, row) == row->def) continue;
+    if (!option_differs(o, row)) continue;
     char name[128];
     snprintf(name, sizeof name, "%s.%s", row->category, row->key);
     json_number(j, name, options_get_number(o, row));

@@ -6,6 +6,7 @@
 
 #include "base/json.h"
 #include "base/number.h"
+#include "cli/report.h"
 #include "mesh/mesh_check.h"
 #include "mesh/mesh_diff.h"
 #include "mesh/mesh_hash.h"
@@ -16,37 +17,80 @@ typedef struct {
   int argc;
   char **argv;
   Diag *diag;
+  bool json;
 } Words;
 
 static int read_status(ExitCode s) { return s == EXIT_GOOD ? EXIT_INPUT : (int)s; }
 
-static int check_one(const char *path, Diag *diag)
+static void check_text(const char *path, const Mesh *m, const MeshReport *r)
 {
-  ExitCode status = EXIT_GOOD;
-  Mesh *m = out_read(path, NULL, diag, &status);
-  if (!m) return read_status(status);
-  MeshReport report = {0};
-  bool good = mesh_check(m, false, &report);
-  for (size_t i = 0; i < report.finding.len; i++) {
-    const MeshFinding *f = &report.finding.data[i];
+  for (size_t i = 0; i < r->finding.len; i++) {
+    const MeshFinding *f = &r->finding.data[i];
     char text[400];
     mesh_finding_print(f, text, sizeof text);
     printf("%s: %s: %s\n", path, f->warning ? "warning" : "error", text);
   }
   printf("%s: %zu nodes, %zu lines, %zu surface elements: ", path, m->nnode, mesh_count(m, 1), mesh_count(m, 2));
-  if (report.errors || report.warnings)
-    printf("%zu errors, %zu warnings\n", report.errors, report.warnings);
+  if (r->errors || r->warnings)
+    printf("%zu errors, %zu warnings\n", r->errors, r->warnings);
   else
     printf("valid\n");
+}
+
+static void json_finding(Json *j, const MeshFinding *f)
+{
+  json_begin(j, NULL, '{');
+  json_string(j, "rule", mesh_rule_name(f->rule));
+  json_string(j, "kind", f->warning ? "warning" : "error");
+  json_integer(j, "dim", f->dim);
+  json_integer(j, "tag", f->tag);
+  json_integer(j, "element", (long long)f->element);
+  json_begin(j, "at", '[');
+  json_number(j, NULL, f->at.x);
+  json_number(j, NULL, f->at.y);
+  json_number(j, NULL, f->at.z);
+  json_end(j, ']');
+  json_string(j, "text", f->text);
+  json_end(j, '}');
+}
+
+static void check_json(const char *path, const Mesh *m, const MeshReport *r)
+{
+  Json j = {0};
+  json_begin(&j, NULL, '{');
+  json_integer(&j, "report_version", REPORT_VERSION);
+  json_string(&j, "file", path);
+  json_bool(&j, "valid", r->errors == 0);
+  json_integer(&j, "nodes", (long long)m->nnode);
+  json_integer(&j, "lines", (long long)mesh_count(m, 1));
+  json_integer(&j, "surface_elements", (long long)mesh_count(m, 2));
+  json_integer(&j, "errors", (long long)r->errors);
+  json_integer(&j, "warnings", (long long)r->warnings);
+  json_begin(&j, "findings", '[');
+  for (size_t i = 0; i < r->finding.len; i++) json_finding(&j, &r->finding.data[i]);
+  json_end(&j, ']');
+  json_end(&j, '}');
+  printf("%s\n", str_text(&j.out));
+  str_free(&j.out);
+}
+
+static int check_one(const char *path, const Words *w)
+{
+  ExitCode status = EXIT_GOOD;
+  Mesh *m = out_read(path, NULL, w->diag, &status);
+  if (!m) return read_status(status);
+  MeshReport report = {0};
+  bool good = mesh_check(m, false, &report);
+  (w->json ? check_json : check_text)(path, m, &report);
   mesh_report_free(&report);
   mesh_free(m);
   return good ? EXIT_GOOD : EXIT_INPUT;
 }
 
-static int hash_one(const char *path, Diag *diag)
+static int hash_one(const char *path, const Words *w)
 {
   ExitCode status = EXIT_GOOD;
-  Mesh *m = out_read(path, NULL, diag, &status);
+  Mesh *m = out_read(path, NULL, w->diag, &status);
   if (!m) return read_status(status);
   MeshHash h = mesh_hash(m, false);
   char text[MESH_HASH_TEXT];
@@ -56,21 +100,39 @@ static int hash_one(const char *path, Diag *diag)
   return EXIT_GOOD;
 }
 
-static int each_file(const Words *w, const char *usage, int (*one)(const char *, Diag *))
+static bool is_word(const char *word, const char *sw)
 {
-  int worst = EXIT_GOOD;
-  if (w->argc == 0) {
-    diag_error(w->diag, NO_LOC, "usage: %s", usage);
-    return EXIT_USAGE;
+  return word[0] == '-' && strcmp(word + (word[1] == '-' ? 2 : 1), sw) == 0;
+}
+
+static int each_file(Words *w, const char *usage, int (*one)(const char *, const Words *))
+{
+  int worst = EXIT_GOOD, files = 0;
+  bool may_json = one == check_one, words_only = false;
+  const char **file = mem_alloc((size_t)w->argc * sizeof *file), *bad = NULL;
+  for (int i = 0; i < w->argc && !bad; i++) {
+    const char *word = w->argv[i];
+    if (words_only || word[0] != '-' || !word[1])
+      file[files++] = word;
+    else if (strcmp(word, "--") == 0)
+      words_only = true;
+    else if (may_json && is_word(word, "json"))
+      w->json = true;
+    else
+      bad = word;
   }
-  for (int i = 0; i < w->argc; i++) {
-    if (w->argv[i][0] == '-' && w->argv[i][1]) {
-      diag_error(w->diag, NO_LOC, "unknown switch '%s'; usage: %s", w->argv[i], usage);
-      return EXIT_USAGE;
-    }
-    int s = one(w->argv[i], w->diag);
-    if (s > worst) worst = s;
+  if (bad || !files) {
+    if (bad)
+      diag_error(w->diag, NO_LOC, "unknown switch '%s'; usage: %s", bad, usage);
+    else
+      diag_error(w->diag, NO_LOC, "usage: %s", usage);
+    worst = EXIT_USAGE;
   }
+  for (int i = 0; i < files && !bad; i++) {
+    int status = one(file[i], w);
+    if (status > worst) worst = status;
+  }
+  free(file);
   return worst;
 }
 
@@ -144,7 +206,7 @@ static void diff_json(const MeshDiff *d)
   static const char *const verdicts[] = {"same", "within", "different"};
   Json j = {0};
   json_begin(&j, NULL, '{');
-  json_integer(&j, "report_version", 1);
+  json_integer(&j, "report_version", REPORT_VERSION);
   json_string(&j, "verdict", verdicts[d->verdict]);
   json_begin(&j, "hash", '[');
   for (int i = 0; i < 2; i++) {
@@ -211,7 +273,7 @@ static int diff_meshes(const DiffRequest *r, const Mesh *a, const Mesh *b, Diag 
   return status;
 }
 
-static int run_diff(const Words *w)
+static int run_diff(Words *w)
 {
   DiffRequest r = {0};
   if (!parse_diff(w, &r)) {
@@ -227,19 +289,19 @@ static int run_diff(const Words *w)
   return status;
 }
 
-static int run_check(const Words *w) { return each_file(w, "meshgen check file.msh ...", check_one); }
-static int run_hash(const Words *w) { return each_file(w, "meshgen hash file.msh ...", hash_one); }
+static int run_check(Words *w) { return each_file(w, "meshgen check [-json] file.msh ...", check_one); }
+static int run_hash(Words *w) { return each_file(w, "meshgen hash file.msh ...", hash_one); }
 
 static const struct {
   const char *name;
-  int (*run)(const Words *);
+  int (*run)(Words *);
 } subcommands[] = {{"check", run_check}, {"hash", run_hash}, {"diff", run_diff}};
 
 bool subcommand_run(int argc, char **argv, Diag *diag, int *status)
 {
   for (size_t i = 0; argc > 1 && i < ARRAY_LEN(subcommands); i++) {
     if (strcmp(argv[1], subcommands[i].name) != 0) continue;
-    Words w = {argc - 2, argv + 2, diag};
+    Words w = {argc - 2, argv + 2, diag, false};
     *status = subcommands[i].run(&w);
     return true;
   }
