@@ -14,6 +14,14 @@
 #include "model/unroll.h"
 
 // ---- options to the writers -----------------------------------------------------------------------------------------
+// A bit per dimension of Mesh.SaveGroupsOf...: 0 none, positive all, negative those whose decimal digit is not 0 (-10: curves).
+static unsigned dimensions(int option)
+{
+  if (option >= 0) return option ? 7 : 0;
+  int digits = -option;
+  return (digits % 10 ? 1u : 0) | (digits / 10 % 10 ? 2u : 0) | (digits / 100 % 10 ? 4u : 0);
+}
+
 OutOptions output_options(const Job *j)
 {
   const Options *o = &j->options;
@@ -25,8 +33,9 @@ OutOptions output_options(const Job *j)
                       .first_node = (uint64_t)o->Mesh_FirstNodeTag,
                       .first_element = (uint64_t)o->Mesh_FirstElementTag,
                       .element_tag = o->Mesh_SaveElementTagType,
-                      .groups_of_nodes = o->Mesh_SaveGroupsOfNodes != 0,
-                      .no_groups_of_elements = o->Mesh_SaveGroupsOfElements == 0,
+                      .node_sets = dimensions(o->Mesh_SaveGroupsOfNodes),
+                      .no_element_sets = ~dimensions(o->Mesh_SaveGroupsOfElements),
+                      .no_elements = o->Mesh_SaveGroupsOfElements < 0 ? ~dimensions(o->Mesh_SaveGroupsOfElements) : 0,
                       .stl_solids = o->Mesh_StlOneSolidPerSurface,
                       .sync = c->sync,
                       .color = c->color_by,

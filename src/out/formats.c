@@ -21,6 +21,8 @@ static const Format table[] = {
     {.name = "vtu", .extensions = "vtu", .help = "VTK XML, compressed", .write = vtu__write, .refuses = vtu__refuses, .read = vtu__read},
     {.name = "mesh", .extensions = "mesh", .help = "Medit", .flags = FORMAT_NO_POINTS, .write = medit__write,
      .refuses = medit__refuses, .read = medit__read},
+    {.name = "mesh2d", .extensions = "mesh2d", .help = "Medit without z, as FreeFEM reads it", .flags = FORMAT_NO_POINTS,
+     .write = medit__write_2d, .refuses = medit__refuses_2d, .read = medit__read},
     {.name = "inp", .extensions = "inp", .help = "Abaqus and CalculiX, with element sets", .flags = FORMAT_NO_POINTS,
      .write = inp__write, .refuses = inp__refuses, .read = inp__read},
     {.name = "su2", .extensions = "su2", .help = "SU2 with markers", .flags = FORMAT_NO_POINTS, .write = su2__write,

@@ -18,8 +18,10 @@ typedef struct {
   double scaling;            // of written coordinates; 0 means 1
   uint64_t first_node, first_element; // smallest numbers; 0 means 1
   int element_tag;           // for formats with one tag: 0, 1 elementary, 2 physical
-  bool groups_of_nodes;      // node sets beside element sets (inp, unv)
-  bool no_groups_of_elements;// leave out element sets (inp, unv)
+  // inp and unv, a bit per dimension of a group:
+  unsigned node_sets;        // gets a set of nodes
+  unsigned no_element_sets;  // gets no set of elements
+  unsigned no_elements;      // its elements are not written at all (inp)
   int stl_solids;            // 0 one solid, 1 one per face, 2 one per group
   const char *title;         // line of text in formats that have one; NULL for the program's name
   bool sync;                 // wait until the file is on the disk

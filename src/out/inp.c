@@ -52,7 +52,9 @@ static void list_end(List *l)
   if (l->n % 10) writer_char(l->w, '\n');
 }
 
-static void write_elements(Writer *w, const Selection *s)
+static bool is_written(const MeshBlock *k, const OutOptions *o) { return !(o->no_elements >> elem_dim(k->type) & 1); }
+
+static void write_elements(Writer *w, const Selection *s, const OutOptions *o)
 {
   uint64_t number = s->elem0;
   const Mesh *m = s->mesh;
@@ -61,6 +63,7 @@ static void write_elements(Writer *w, const Selection *s)
     const MeshBlock *k = &m->block[s->block[i]];
     const MeshEntity *e = &m->entity[k->entity];
     int nodes = elem_nodes(k->type);
+    if (!is_written(k, o)) continue;
     writer_printf(w, "*ELEMENT, type=%s, ELSET=%s%d\n", name_of(k->type), e->dim == 1 ? "Line" : "Surface", e->tag);
     for (size_t j = 0; j < k->n; j++) {
       char *p0 = writer_reserve(w, 320), *p = put_u64(p0, number++);
@@ -74,13 +77,14 @@ static void write_elements(Writer *w, const Selection *s)
   }
 }
 
-static void write_element_set(Writer *w, const Selection *s, const MeshGroup *g)
+static void write_element_set(Writer *w, const Selection *s, const OutOptions *o, const MeshGroup *g)
 {
   uint64_t number = s->elem0;
   List l = {w, 0};
   for (size_t i = 0; i < s->nblock; i++) {
     const MeshBlock *k = &s->mesh->block[s->block[i]];
     bool in = select__in_group(&s->mesh->entity[k->entity], g);
+    if (!is_written(k, o)) continue;
     for (size_t j = 0; j < k->n; j++, number++) {
       if (!in) continue;
       if (!l.n) {
@@ -129,12 +133,13 @@ void inp__write(Writer *w, const Selection *s, const OutOptions *o)
     p = put_char(p, '\n');
     writer_commit(w, (size_t)(p - p0));
   }
-  write_elements(w, s);
+  write_elements(w, s, o);
   const Mesh *m = s->mesh;
-  for (size_t g = 0; g < m->ngroup && !o->no_groups_of_elements; g++) write_element_set(w, s, &m->group[g]);
-  if (!o->groups_of_nodes) return;
+  for (size_t g = 0; g < m->ngroup; g++)
+    if (!(o->no_element_sets >> m->group[g].dim & 1)) write_element_set(w, s, o, &m->group[g]);
   uint8_t *mark = mem_alloc(s->nnode);
-  for (size_t g = 0; g < m->ngroup; g++) write_node_set(w, s, &m->group[g], mark);
+  for (size_t g = 0; g < m->ngroup; g++)
+    if (o->node_sets >> m->group[g].dim & 1) write_node_set(w, s, &m->group[g], mark);
   free(mark);
 }
 

@@ -32,6 +32,11 @@ const char *medit__refuses(const Selection *s)
   return NULL;
 }
 
+const char *medit__refuses_2d(const Selection *s)
+{
+  return select__not_flat(s) ? "two-dimensional Medit files hold plane meshes, z = 0, only" : medit__refuses(s);
+}
+
 static void write_section(Writer *w, const Selection *s, const OutOptions *o, size_t section)
 {
   size_t n = 0;
@@ -55,15 +60,15 @@ static void write_section(Writer *w, const Selection *s, const OutOptions *o, si
   }
 }
 
-void medit__write(Writer *w, const Selection *s, const OutOptions *o)
+static void write_file(Writer *w, const Selection *s, const OutOptions *o, int dim)
 {
-  writer_printf(w, " MeshVersionFormatted 2\n Dimension\n 3\n Vertices\n %zu\n", s->nnode);
+  writer_printf(w, " MeshVersionFormatted 2\n Dimension\n %d\n Vertices\n %zu\n", dim, s->nnode);
   for (size_t k = 0; k < s->nnode; k++) {
     Vec3 x = select__xyz(s, k);
     char *p0 = writer_reserve(w, 160), *p = p0;
     p = put_double(put_char(p, ' '), x.x);
     p = put_double(put_char(p, ' '), x.y);
-    p = put_double(put_char(p, ' '), x.z);
+    if (dim == 3) p = put_double(put_char(p, ' '), x.z);
     p = put_u64(put_char(p, ' '), (uint64_t)select__tag(&s->mesh->entity[s->mesh->node_entity[s->node[k]]], o));
     p = put_char(p, '\n');
     writer_commit(w, (size_t)(p - p0));
@@ -71,6 +76,9 @@ void medit__write(Writer *w, const Selection *s, const OutOptions *o)
   for (size_t k = 0; k < ARRAY_LEN(sections); k++) write_section(w, s, o, k);
   writer_str(w, " End\n");
 }
+
+void medit__write(Writer *w, const Selection *s, const OutOptions *o) { write_file(w, s, o, 3); }
+void medit__write_2d(Writer *w, const Selection *s, const OutOptions *o) { write_file(w, s, o, 2); }
 
 // Blanks, line ends and comments.
 static void skip(Scan *s)

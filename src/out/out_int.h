@@ -55,6 +55,8 @@ void vtk__write(Writer *w, const Selection *s, const OutOptions *o);
   const char *f##__refuses(const Selection *s);                         \
   Mesh *f##__read(const char *text, size_t len, const char *name, Diag *d);
 FORMAT_DECLARE(medit)
+void medit__write_2d(Writer *w, const Selection *s, const OutOptions *o); // without z: FreeFEM reads this
+const char *medit__refuses_2d(const Selection *s);
 FORMAT_DECLARE(su2)
 FORMAT_DECLARE(inp)
 FORMAT_DECLARE(unv)

@@ -124,14 +124,15 @@ void unv__write(Writer *w, const Selection *s, const OutOptions *o)
   write_elements(w, s);
   bool open = false;
   for (size_t g = 0; g < m->ngroup; g++) {
-    size_t n = each_member(s, &m->group[g], !o->no_groups_of_elements, o->groups_of_nodes, NULL);
+    bool elements = !(o->no_element_sets >> m->group[g].dim & 1), nodes = o->node_sets >> m->group[g].dim & 1;
+    size_t n = each_member(s, &m->group[g], elements, nodes, NULL);
     if (!n) continue;
     char name[256];
     select__group_name(&m->group[g], name, sizeof name);
     if (!open) writer_str(w, "    -1\n  2477\n");
     open = true;
     writer_printf(w, "%10d%10d%10d%10d%10d%10d%10d%10zu\n%s\n", m->group[g].tag, 0, 0, 0, 0, 0, 0, n, name);
-    each_member(s, &m->group[g], !o->no_groups_of_elements, o->groups_of_nodes, w);
+    each_member(s, &m->group[g], elements, nodes, w);
   }
   if (open) writer_str(w, "    -1\n");
 }

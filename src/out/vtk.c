@@ -151,7 +151,7 @@ static int entity_value(const Mesh *m, const MeshBlock *k) { return m->entity[k-
 
 void vtk__write(Writer *w, const Selection *s, const OutOptions *o)
 {
-  writer_printf(w, "# vtk DataFile Version 2.0\n%.200s\n%s\nDATASET UNSTRUCTURED_GRID\n",
+  writer_printf(w, "# vtk DataFile Version 3.0\n%.200s\n%s\nDATASET UNSTRUCTURED_GRID\n",
                 o->title ? o->title : "meshgen", o->binary ? "BINARY" : "ASCII");
   write_points(w, s, o->binary);
   write_cells(w, s, o->binary);

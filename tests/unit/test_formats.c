@@ -122,7 +122,7 @@ static void groups_by_name(void **state)
   (void)state;
   static const char *const formats[] = {"inp", "su2", "unv", "msh", "vtu"};
   for (size_t f = 0; f < ARRAY_LEN(formats); f++) {
-    Mesh *m = sample_mesh(4, true, true), *back = round_trip(m, formats[f], &(OutOptions){.groups_of_nodes = true});
+    Mesh *m = sample_mesh(4, true, true), *back = round_trip(m, formats[f], &(OutOptions){.node_sets = 7});
     MeshStats a, b;
     mesh_stats_make(&a, m, NULL);
     mesh_stats_make(&b, back, NULL);
