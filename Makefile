@@ -132,6 +132,13 @@ check-stress:
 	$(Q)$(MAKE) --no-print-directory CONFIG=stress all unit
 	$(Q)CONFIG=stress tests/run.sh quick
 
+.PHONY: check-predicates
+## check-predicates: signs of 10^7 random and adversarial cases against CGAL's exact numbers and MPFR (minutes)
+check-predicates:
+	$(Q)sh tests/install-packages.sh build test
+	$(Q)$(MAKE) --no-print-directory unit
+	$(Q)PREDICATE_CASES=$(or $(CASES),10000000) $(B)/unit/test_predicates
+
 .PHONY: check-layers check-headers style metrics coverage
 ## check-layers: which folder includes which, against the table of docs/architecture.md
 check-layers:

@@ -60,7 +60,7 @@ void mem_grow(void *data, size_t *cap, size_t want, size_t size)
 {
   if (want <= *cap) return;
 #ifdef STRESS
-  size_t c = want; // every growth moves the array
+  size_t c = want + want / 256; // every growth moves the array
 #else
   size_t c = MAX(*cap * 2, MAX(want, (size_t)8));
 #endif

@@ -11,6 +11,7 @@
 #include "mesh/mesh.h"
 #include "out/formats.h"
 #include "out/points_read.h"
+#include "out/polygons.h"
 #include "tri/tri.h"
 
 typedef struct {
@@ -113,32 +114,61 @@ static uint32_t *new_block(Mesh *m, uint32_t entity, ElemType type, size_t n)
   return m->block[k].node;
 }
 
-// The labels in use, ascending.
+// Sort and drop repeated ones.
+static void make_unique(U32Vec *v)
+{
+  if (v->len) qsort(v->data, v->len, sizeof *v->data, compare_labels);
+  size_t n = 0;
+  for (size_t i = 0; i < v->len; i++)
+    if (n == 0 || v->data[n - 1] != v->data[i]) v->data[n++] = v->data[i];
+  v->len = n;
+}
+
+// The labels in use, ascending; 0, for what has none, comes last.
 static void collect_labels(const Delaunay *d, U32Vec *labels)
 {
   for (size_t i = 0; i < d->file.labels.len; i++) vec_push(labels, d->file.labels.data[i]);
-  if (labels->len) qsort(labels->data, labels->len, sizeof *labels->data, compare_labels);
-  size_t n = 0;
-  for (size_t i = 0; i < labels->len; i++)
-    if (n == 0 || labels->data[n - 1] != labels->data[i]) labels->data[n++] = labels->data[i];
-  labels->len = n;
-  bool unlabelled = n == 0;
+  make_unique(labels);
+  bool unlabelled = labels->len == 0;
   for (TriId k = 0; k < d->tri.nt && !unlabelled; k++) unlabelled = tri_is_inside(&d->tri, k) && label_of(&d->tri, k) == 0;
-  if (unlabelled) vec_push(labels, 0); // they come last, under the next number
+  if (unlabelled) vec_push(labels, 0);
 }
 
-static void add_segments(const Delaunay *d, Mesh *m, uint32_t entity, const uint32_t *node)
+// The boundary marks in use, likewise.
+static void collect_marks(const Delaunay *d, U32Vec *marks)
+{
+  const Tri *t = &d->tri;
+  for (EdgeId e = 0; e < 3 * t->nt; e++)
+    if (tri_is_segment(t, e) && e < t->twin[e]) vec_push(marks, d->file.marks.data[t->seg[e]]);
+  make_unique(marks);
+  if (marks->len == 0 || marks->data[0] != 0) return;
+  memmove(marks->data, marks->data + 1, (marks->len - 1) * sizeof *marks->data);
+  marks->data[marks->len - 1] = 0;
+}
+
+// An entity for each label, numbered by it; what has none gets the next number. Returns the first.
+static uint32_t add_entities(Mesh *m, int dim, const U32Vec *labels)
+{
+  uint32_t first = NONE;
+  for (size_t i = 0; i < labels->len; i++) {
+    uint32_t tag = labels->data[i] ? labels->data[i] : i > 0 ? labels->data[i - 1] + 1 : 1;
+    uint32_t entity = mesh_add_entity(m, dim, (int)tag);
+    if (i == 0) first = entity;
+  }
+  return first;
+}
+
+static void add_segments(const Delaunay *d, Mesh *m, uint32_t entity, uint32_t mark, const uint32_t *node)
 {
   const Tri *t = &d->tri;
   size_t n = 0;
   for (int pass = 0; pass < 2; pass++) {
     uint32_t *to = pass ? new_block(m, entity, ELEM_LINE2, n) : NULL;
     for (EdgeId e = 0; e < 3 * t->nt; e++) {
-      if (!tri_is_segment(t, e) || e > t->twin[e]) continue;
+      if (!tri_is_segment(t, e) || e > t->twin[e] || d->file.marks.data[t->seg[e]] != mark) continue;
       if (!pass) n++;
       else *to++ = node[tri_org(t, e)], *to++ = node[tri_dest(t, e)];
     }
-    if (n == 0) return;
   }
 }
 
@@ -157,67 +187,68 @@ static void add_triangles(const Delaunay *d, Mesh *m, uint32_t entity, uint32_t 
 static Mesh *mesh_of_triangles(Delaunay *d)
 {
   Mesh *m = mesh_new();
-  U32Vec labels = {0};
+  U32Vec labels = {0}, marks = {0};
+  collect_marks(d, &marks);
   collect_labels(d, &labels);
-  uint32_t curve = d->file.ends.len ? mesh_add_entity(m, 1, 1) : NONE, face = NONE;
-  for (size_t i = 0; i < labels.len; i++) {
-    uint32_t tag = labels.data[i] ? labels.data[i] : i > 0 ? labels.data[i - 1] + 1 : 1;
-    uint32_t f = mesh_add_entity(m, 2, (int)tag);
-    if (i == 0) face = f;
-  }
+  uint32_t curve = add_entities(m, 1, &marks), face = add_entities(m, 2, &labels);
   uint32_t *node = add_nodes(d, m, face);
-  if (curve != NONE) add_segments(d, m, curve, node);
+  for (size_t i = 0; i < marks.len; i++) add_segments(d, m, curve + (uint32_t)i, marks.data[i], node);
   for (size_t i = 0; i < labels.len; i++) add_triangles(d, m, face + (uint32_t)i, labels.data[i], node);
   set_box(m);
   free(node);
   vec_free(&labels);
+  vec_free(&marks);
   return m;
 }
 
-// Sides of the Voronoi cells as lines; what goes to infinity is cut at the size of the set's box beyond its first corner.
-static Mesh *mesh_of_voronoi(Delaunay *d)
+// ---- the cells ----------------------------------------------------------------------------------------------------------
+
+// The rectangle that the cells fill: the box of the points with a tenth of its diagonal around it. False if numbers overflow.
+static bool frame_of(const Tri *t, double lo[2], double hi[2])
 {
-  const Tri *t = &d->tri;
-  TriVoronoi v;
-  tri_voronoi(t, &v);
-  Mesh *m = mesh_new();
-  uint32_t entity = mesh_add_entity(m, 1, 1);
-  double lo[2] = {INFINITY, INFINITY}, hi[2] = {-INFINITY, -INFINITY};
+  lo[0] = lo[1] = INFINITY, hi[0] = hi[1] = -INFINITY;
   for (size_t i = 0; i < 2 * (size_t)t->nv; i++) {
     lo[i % 2] = fmin(lo[i % 2], t->xy[i]);
     hi[i % 2] = fmax(hi[i % 2], t->xy[i]);
   }
-  double size = hypot(hi[0] - lo[0], hi[1] - lo[1]);
-  for (size_t i = 0; i < v.ncentres; i++) mesh_add_node(m, (Vec3){v.centre[2 * i], v.centre[2 * i + 1], 0}, entity, NAN);
+  double margin = 0.1 * hypot(hi[0] - lo[0], hi[1] - lo[1]);
+  if (margin == 0) margin = fmax(1, 0.1 * fmax(fabs(lo[0]), fabs(lo[1]))); // one point
+  for (int k = 0; k < 2; k++) lo[k] -= margin, hi[k] += margin;
+  return isfinite((hi[0] - lo[0]) * (hi[0] - lo[0]) + (hi[1] - lo[1]) * (hi[1] - lo[1]));
+}
+
+// The sides of the cells as lines, for formats without polygons. Each inner side has two cells; the one that runs up takes it.
+static Mesh *mesh_of_sides(const Tri *t, const TriVoronoi *v)
+{
+  Mesh *m = mesh_new();
+  uint32_t entity = mesh_add_entity(m, 1, 1);
+  for (size_t i = 0; i < v->nnode; i++) mesh_add_node(m, (Vec3){v->xy[2 * i], v->xy[2 * i + 1], 0}, entity, NAN);
+  const double *lo = v->xy + 6, *hi = v->xy + 2; // corners 3 and 1
   U32Vec line = {0};
-  for (VertId k = 0; k < t->nv; k++) {
-    uint32_t n = v.start[k + 1] - v.start[k];
-    const uint32_t *c = v.corners + v.start[k];
-    for (uint32_t i = 0; i < n; i++) { // each side has two cells; the one that runs up takes it
-      uint32_t a = c[i], b = c[i + 1 < n ? i + 1 : 0];
-      if ((i + 1 == n && v.open[k]) || a >= b) continue;
+  for (VertId k = 0; k < t->nv; k++)
+    for (uint32_t i = v->start[k]; i < v->start[k + 1]; i++) {
+      uint32_t a = v->corners[i], b = v->corners[i + 1 < v->start[k + 1] ? i + 1 : v->start[k]];
+      const double *p = v->xy + 2 * (size_t)a, *q = v->xy + 2 * (size_t)b;
+      bool on_frame = (p[0] == q[0] && (p[0] == lo[0] || p[0] == hi[0])) || (p[1] == q[1] && (p[1] == lo[1] || p[1] == hi[1]));
+      if (a > b && !on_frame) continue;
       vec_push(&line, a);
       vec_push(&line, b);
     }
-    if (!v.open[k] || n == 0) continue;
-    const double *ray = v.ray + 4 * (size_t)k + 2, *from = v.centre + 2 * (size_t)c[n - 1]; // the other is the neighbour's
-    double f = size / hypot(ray[0], ray[1]);
-    vec_push(&line, c[n - 1]);
-    vec_push(&line, mesh_add_node(m, (Vec3){from[0] + f * ray[0], from[1] + f * ray[1], 0}, entity, NAN));
-  }
-  if (line.len) {
-    uint32_t *to = new_block(m, entity, ELEM_LINE2, line.len / 2);
-    memcpy(to, line.data, line.len * sizeof *to);
-  }
+  if (line.len) memcpy(new_block(m, entity, ELEM_LINE2, line.len / 2), line.data, line.len * sizeof *line.data);
   set_box(m);
   vec_free(&line);
-  tri_voronoi_free(&v);
   return m;
 }
 
 // ---- output ---------------------------------------------------------------------------------------------------------------
 
-static ExitCode write_output(Delaunay *d, const Mesh *m, const char *path)
+// What is written: a mesh, and the cells if they were asked for, for the formats that hold polygons.
+typedef struct {
+  Mesh *mesh;
+  Polygons cells; // xy is NULL when there are none
+} Product;
+
+static ExitCode write_output(Delaunay *d, const Product *what, const char *path)
 {
   const Options *opt = &d->cli->options;
   OutOptions o = {.save_all = true, .binary = opt->Mesh_Binary, .threads = opt->General_NumThreads};
@@ -226,24 +257,54 @@ static ExitCode write_output(Delaunay *d, const Mesh *m, const char *path)
     const Format *f = format_of_path(path);
     name = f ? format_name(f) : "msh";
   }
+  if (what->cells.xy && polygons_format(name)) return polygons_write(&what->cells, path, name, d->diag);
   if (strcmp(name, "msh") == 0 || strcmp(name, "msh4") == 0) name = opt->Mesh_MshFileVersion >= 3 ? "msh4" : "msh2";
-  return out_write(m, path, name, &o, d->diag);
+  return out_write(what->mesh, path, name, &o, d->diag);
 }
 
-static ExitCode write_outputs(Delaunay *d, const Mesh *m)
+static ExitCode write_outputs(Delaunay *d, const Product *what)
 {
   const Cli *c = d->cli;
   ExitCode status = EXIT_GOOD;
-  for (size_t i = 0; i < c->outputs.len && status == EXIT_GOOD; i++) status = write_output(d, m, c->outputs.data[i]);
+  for (size_t i = 0; i < c->outputs.len && status == EXIT_GOOD; i++) status = write_output(d, what, c->outputs.data[i]);
   if (c->outputs.len == 0) {
     const char *in = c->inputs.data[0], *slash = strrchr(in, '/'), *dot = strrchr(slash ? slash : in, '.');
     size_t n = dot ? (size_t)(dot - in) : strlen(in);
     char *path = mem_alloc(n + 5);
     memcpy(path, in, n);
     memcpy(path + n, ".msh", 5);
-    status = write_output(d, m, path);
+    status = write_output(d, what, path);
     free(path);
   }
+  return status;
+}
+
+static ExitCode write_triangles(Delaunay *d)
+{
+  Product what = {.mesh = mesh_of_triangles(d)};
+  ExitCode status = write_outputs(d, &what);
+  mesh_free(what.mesh);
+  return status;
+}
+
+// Cells bear the number of their point in the file, from 1.
+static ExitCode write_cells(Delaunay *d)
+{
+  double lo[2], hi[2];
+  if (!frame_of(&d->tri, lo, hi)) {
+    diag_error(d->diag, NO_LOC, "%s: the coordinates are too large for Voronoi cells", d->cli->inputs.data[0]);
+    return EXIT_INPUT;
+  }
+  TriVoronoi v;
+  tri_voronoi(&d->tri, lo, hi, &v);
+  uint32_t *id = mem_alloc(d->tri.nv * sizeof *id);
+  for (size_t i = d->points; i-- > 0;) id[d->vertex_of[i]] = (uint32_t)i + 1;
+  Product what = {mesh_of_sides(&d->tri, &v),
+                  {.xy = v.xy, .nnode = v.nnode, .start = v.start, .corner = v.corners, .id = id, .ncell = d->tri.nv}};
+  ExitCode status = write_outputs(d, &what);
+  mesh_free(what.mesh);
+  free(id);
+  tri_voronoi_free(&v);
   return status;
 }
 
@@ -291,11 +352,7 @@ ExitCode delaunay_run(const Cli *c, Diag *diag)
   tri_init(&d.tri);
   ExitCode status = points_read(c->inputs.data[0], &d.file, diag);
   if (status == EXIT_GOOD) status = triangulate(&d);
-  if (status == EXIT_GOOD) {
-    Mesh *m = c->voronoi ? mesh_of_voronoi(&d) : mesh_of_triangles(&d);
-    status = write_outputs(&d, m);
-    mesh_free(m);
-  }
+  if (status == EXIT_GOOD) status = c->voronoi ? write_cells(&d) : write_triangles(&d);
   if (status == EXIT_GOOD) report(&d);
   free(d.vertex_of);
   tri_free(&d.tri);

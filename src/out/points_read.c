@@ -132,6 +132,8 @@ static void read_segments(Reader *r, PointsFile *f)
     expect_line(r, "the last segment");
     integer(r, 0, 0x3fffffff, "the segment's index");
     for (int k = 0; k < 2; k++) vec_push(&f->ends, (uint32_t)(integer(r, r->first, last, "the segment's end") - r->first));
+    int64_t mark = at_end(r) ? 0 : integer(r, INT32_MIN, INT32_MAX, "the segment's boundary mark");
+    vec_push(&f->marks, mark > 0 ? (uint32_t)mark : 0);
     end_line(r);
   }
 }
@@ -229,6 +231,7 @@ void points_free(PointsFile *p)
   vec_free(&p->xy);
   vec_free(&p->z);
   vec_free(&p->ends);
+  vec_free(&p->marks);
   vec_free(&p->holes);
   vec_free(&p->regions);
   vec_free(&p->labels);

@@ -11,6 +11,7 @@ typedef struct {
   DoubleVec xy;          // 2 per point
   DoubleVec z;           // 1 per point of an .xyz file with three columns, else empty
   U32Vec ends;           // 2 per segment: indices of points
+  U32Vec marks;          // 1 per segment: its boundary mark, 0 if the file gives none (or one below 1)
   DoubleVec holes;       // 2 per hole
   DoubleVec regions;     // 2 per region
   U32Vec labels;         // 1 per region

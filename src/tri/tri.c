@@ -68,8 +68,7 @@ void tri_reserve(Tri *m, size_t nv, size_t nt)
 static size_t grown(size_t n, size_t limit)
 {
 #ifdef STRESS
-  (void)limit;
-  return n + 1;
+  return MIN(n + 1 + n / 256, limit);
 #else
   return MIN(n + n / 2 + 16, limit);
 #endif

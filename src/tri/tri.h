@@ -254,18 +254,16 @@ typedef struct {
 // Validate by the rules asked for; returns the number of violations, and in *out (may be NULL) the first. O(nt).
 size_t tri_check(const Tri *m, unsigned rules, TriCheck *out);
 
-// The Voronoi diagram, dual of the triangulation [book §2.1]: one centre for each finite triangle, one cell for each
-// vertex. Cell v is corners[start[v] .. start[v+1]) counterclockwise, as indices of centres. The cells of hull vertices are
-// open: a ray leaves the first centre along ray[4v], ray[4v+1] and another the last along ray[4v+2], ray[4v+3] (not of
-// unit length). Cocircular points give coinciding centres. Points on one line: no centres, rays only.
+// The Voronoi diagram, dual of a Delaunay triangulation without segments [book §2.1], within the rectangle lo..hi, which has
+// every vertex strictly inside. The cell of vertex v has the corners corners[start[v] .. start[v+1]), nodes counterclockwise;
+// cells share nodes and fill the rectangle. Nodes 0 to 3 are its corners. Points on one circle share one node, exactly.
+// Isolated vertices (duplicates) have empty cells. O(nt). The caller frees with tri_voronoi_free.
 typedef struct {
-  double *centre;            // 2 * ncentres
+  double *xy;                // 2 * nnode
   uint32_t *start, *corners; // nv + 1; sum
-  uint8_t *open;             // nv
-  double *ray;               // 4 * nv: directions at the first and at the last corner of an open cell; else 0
-  size_t ncentres;
+  uint32_t nnode;
 } TriVoronoi;
-void tri_voronoi(const Tri *m, TriVoronoi *out);
+void tri_voronoi(const Tri *m, const double lo[2], const double hi[2], TriVoronoi *out);
 void tri_voronoi_free(TriVoronoi *v);
 
 #endif

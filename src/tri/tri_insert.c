@@ -183,6 +183,18 @@ static void mark_spoke(Tri *m, const TriCavity *c, EdgeId e)
   tri__set_segment(m, m->twin[e], c->seg);
 }
 
+#if CHECK_LEVEL >= 3
+// The stress build validates the whole triangulation after each change while it is small, then after every thousandth.
+static void validate(const Tri *m)
+{
+  TriCheck bad;
+  if ((m->nt <= 2000 || m->nv % 1000 == 0) && tri_check(m, TRI_CHECK_LINKS | TRI_CHECK_ORIENT | TRI_CHECK_EULER, &bad))
+    CHECK(bad.rule != TRI_CHECK_LINKS && bad.rule != TRI_CHECK_ORIENT && bad.rule != TRI_CHECK_EULER);
+}
+#else
+static void validate(const Tri *m) { (void)m; }
+#endif
+
 VertId tri_commit(Tri *m, TriCavity *c)
 {
   size_t n = c->rim.len, old = c->tri.len;
@@ -208,6 +220,7 @@ VertId tri_commit(Tri *m, TriCavity *c)
   }
   if (m->hint) m->hint[v] = 3 * t[0] + 2;
   m->last = 3 * t[n - 1];
+  validate(m);
   return v;
 }
 

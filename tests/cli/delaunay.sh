@@ -15,7 +15,25 @@ prints '"triangles": 9' "the report counts the triangles"
 prints '"duplicates": 1' "and the duplicates"
 says "1 points are equal to earlier ones" "duplicates are announced"
 check "the pictures are there" test -s a.png
-exits 0 "Voronoi cells" "$MESHGEN" -delaunay -voronoi a.xyz -o v.vtk
+exits 0 "Voronoi cells" "$MESHGEN" -delaunay -voronoi a.xyz -o v.vtk -o v.ply -o v.obj -o v.off -o v.msh -o v.svg
+check "are polygons, one a point, that fill a rectangle" "$PYTHON" -c "
+import meshio, vtk
+r = vtk.vtkUnstructuredGridReader()
+r.SetFileName('v.vtk')
+r.Update()
+g = r.GetOutput()
+area = 0
+for k in range(g.GetNumberOfCells()):
+    c = g.GetCell(k).GetPoints()
+    p = [c.GetPoint(i) for i in range(c.GetNumberOfPoints())]
+    area += sum(p[i-1][0] * p[i][1] - p[i-1][1] * p[i][0] for i in range(len(p))) / 2
+b = g.GetBounds()
+want = (b[1] - b[0]) * (b[3] - b[2])
+ids = g.GetCellData().GetArray('point')
+assert abs(area - want) < 1e-12 * want and sorted(int(ids.GetTuple1(k)) for k in range(501)) == list(range(1, 502)), area
+for f in ('v.ply', 'v.obj'):
+    assert sum(len(b.data) for b in meshio.read(f).cells) == 501
+"
 exits 0 "one thread or two" "$MESHGEN" -delaunay a.xyz -nt 1 -o one.msh
 exits 0 "two threads" "$MESHGEN" -delaunay a.xyz -nt 2 -o two.msh
 check "give the same bytes" cmp one.msh two.msh
@@ -31,10 +49,10 @@ cat >d.poly <<'END'
 6 3 1
 7 3 3
 8 1 3
-8 0
-1 1 2
-2 2 3
-3 3 4
+8 1
+1 1 2 30
+2 2 3 30
+3 3 4 7
 4 4 1
 5 5 6
 6 6 7
@@ -47,6 +65,11 @@ cat >d.poly <<'END'
 END
 exits 0 "a .poly with a hole and a region" "$MESHGEN" -delaunay d.poly -o d.msh --json
 prints '"triangles": 8' "the hole is left out"
+check "boundary marks are the numbers of curves" "$PYTHON" -c "
+import collections, meshio
+tags = meshio.read('d.msh').cell_data_dict['gmsh:geometrical']['line']
+assert collections.Counter(map(int, tags)) == {7: 1, 30: 2, 31: 5}, tags
+"
 check "the region is the face's number" grep -q '^7 0 0 0 4 4 0' d.msh
 
 printf '4 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n2 0\n1 1 3\n2 2 4\n0\n' >x.poly

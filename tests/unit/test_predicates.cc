@@ -40,11 +40,18 @@ static void draw(int kind, Rng *r, double *q, int n)
     }
 }
 
+// Cases of each kind; $PREDICATE_CASES is their number in all, for the long tier.
+static long cases(long n)
+{
+  const char *all = getenv("PREDICATE_CASES");
+  return all ? strtol(all, NULL, 10) / KINDS : n;
+}
+
 static void equal_to_cgal(void **)
 {
   Rng r = {3};
   for (int kind = 0; kind < KINDS; kind++)
-    for (int i = 0; i < 2000; i++) {
+    for (long i = 0; i < cases(2000); i++) {
       double q[8];
       draw(kind, &r, q, 8);
       Exact::Point_2 p[4];
@@ -61,9 +68,8 @@ static void equal_to_cgal(void **)
 static void equal_to_mpfr(void **)
 {
   Rng r = {4};
-  long n = getenv("PREDICATE_CASES") ? strtol(getenv("PREDICATE_CASES"), NULL, 10) : 300000;
   for (int kind = 0; kind < KINDS; kind++)
-    for (long i = 0; i < n / KINDS; i++) {
+    for (long i = 0; i < cases(30000); i++) {
       double q[8];
       draw(kind, &r, q, 8);
       assert_int_equal(orient2d(q, q + 2, q + 4), orient2d_mp(q, q + 2, q + 4));

@@ -438,44 +438,47 @@ static void local_changes(void **state)
   free(p.xy);
 }
 
-// Cells are convex, their corners are as far from their own vertex as from no nearer other one; open cells are the hull's.
+// Cells are convex, fill the rectangle, and every corner is as far from its own vertex as from none nearer; a side that is not
+// on the frame belongs to two cells.
 static void voronoi_cells(void **state)
 {
   (void)state;
-  Points p = points_make(0, 200, 19);
-  Tri m;
-  build(&m, &p, true);
-  TriVoronoi d;
-  tri_voronoi(&m, &d);
-  assert_int_equal(d.start[m.nv], 3 * d.ncentres);
-  for (VertId v = 0; v < m.nv; v++) {
-    uint32_t n = d.start[v + 1] - d.start[v];
-    assert_true(n >= 1);
-    for (uint32_t i = 0; i < n; i++) {
-      const double *c = d.centre + 2 * d.corners[d.start[v] + i], *q = tri_xy(&m, v);
-      double own = hypot(c[0] - q[0], c[1] - q[1]);
-      for (VertId u = 0; u < m.nv; u++)
-        assert_true(hypot(c[0] - m.xy[2 * u], c[1] - m.xy[2 * u + 1]) > own * (1 - 1e-9));
-      if (i + 2 < n) {
-        const double *e = d.centre + 2 * d.corners[d.start[v] + i + 1], *f = d.centre + 2 * d.corners[d.start[v] + i + 2];
-        double turn = (e[0] - c[0]) * (f[1] - e[1]) - (e[1] - c[1]) * (f[0] - e[0]);
-        assert_true(turn > -1e-9 * own * own);
+  static const double lo[2] = {-1.1, -1.2}, hi[2] = {1.3, 1.15};
+  for (int set = 0; set < 7; set++)
+    for (size_t n = 1; n <= 240; n = 3 * n + 1) {
+      Points p = points_make(set, n, 19);
+      double largest = 1;
+      for (size_t i = 0; i < 2 * n; i++) largest = fmax(largest, fabs(p.xy[i]));
+      for (size_t i = 0; i < 2 * n; i++) p.xy[i] /= largest;
+      Tri m;
+      build(&m, &p, true);
+      TriVoronoi d;
+      tri_voronoi(&m, lo, hi, &d);
+      double area = 0;
+      size_t inner = 0, frame = 0;
+      for (VertId v = 0; v < m.nv; v++) {
+        uint32_t k = d.start[v + 1] - d.start[v];
+        const uint32_t *corner = d.corners + d.start[v];
+        const double *q = tri_xy(&m, v);
+        assert_true(k >= 3);
+        for (uint32_t i = 0; i < k; i++) {
+          const double *c = d.xy + 2 * corner[i], *e = d.xy + 2 * corner[(i + 1) % k], *f = d.xy + 2 * corner[(i + 2) % k];
+          assert_true((e[0] - c[0]) * (f[1] - e[1]) - (e[1] - c[1]) * (f[0] - e[0]) > -1e-9);
+          area += (c[0] * e[1] - c[1] * e[0]) / 2;
+          bool on_frame = (c[0] == e[0] && (c[0] == lo[0] || c[0] == hi[0])) || (c[1] == e[1] && (c[1] == lo[1] || c[1] == hi[1]));
+          *(on_frame ? &frame : &inner) += 1;
+          double own = hypot(c[0] - q[0], c[1] - q[1]);
+          for (VertId u = 0; u < m.nv; u++) assert_true(hypot(c[0] - m.xy[2 * u], c[1] - m.xy[2 * u + 1]) > own - 1e-9);
+        }
       }
+      assert_true(fabs(area - (hi[0] - lo[0]) * (hi[1] - lo[1])) < 1e-9);
+      assert_true(inner % 2 == 0 && frame >= 4);
+      // V - E + F = 2 with the outside as a face: the cells are one subdivision, no node is there twice or unused
+      assert_int_equal((long)d.nnode - (long)(inner / 2 + frame) + (long)m.nv + 1, 2);
+      tri_voronoi_free(&d);
+      tri_free(&m);
+      free(p.xy);
     }
-    if (d.open[v]) { // far along both rays, v and the neighbour on the hull are nearest
-      for (int k = 0; k < 2; k++) {
-        const double *c = d.centre + 2 * d.corners[k == 0 ? d.start[v] : d.start[v + 1] - 1], *r = d.ray + 4 * v + 2 * k;
-        double len = hypot(r[0], r[1]), x = c[0] + 10 * r[0] / len, y = c[1] + 10 * r[1] / len;
-        double own = hypot(x - m.xy[2 * v], y - m.xy[2 * v + 1]), nearest = INFINITY;
-        for (VertId u = 0; u < m.nv; u++)
-          if (u != v) nearest = fmin(nearest, hypot(x - m.xy[2 * u], y - m.xy[2 * u + 1]));
-        assert_true(fabs(nearest - own) < 1e-9 * own);
-      }
-    }
-  }
-  tri_voronoi_free(&d);
-  tri_free(&m);
-  free(p.xy);
 }
 
 static void bad_input(void **state)
