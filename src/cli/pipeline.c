@@ -93,6 +93,7 @@ static void mesh_faces(Job *j, const SizeField *size, EdgeNodes *en, const Bound
 static bool generate(Job *j, int dim)
 {
   drop_mesh(j);
+  j->reshaped = false;
   stage_begin(&j->stats, "model");
   bool good = model_prepare(j->model, j->options.Geometry_Tolerance, j->diag);
   stage_end(&j->stats);
@@ -139,6 +140,7 @@ static bool recombine(Job *j)
   j->options.Mesh_RecombineAll = 1;
   bool good = generate(j, j->mesh_dim);
   j->options.Mesh_RecombineAll = all;
+  j->reshaped = true;
   return good;
 }
 
@@ -163,6 +165,7 @@ static bool host_mesh(void *ctx, MeshCommand what, double number, const char *te
     return true;
   }
   if (what == MESH_RECOMBINE) return recombine(j);
+  j->reshaped = true;
   if (what == MESH_SET_ORDER) {
     if (number >= 1 && number < HIGH_ORDER_MAX + 1) return set_order(j, (int)number), true;
     diag_error(j->diag, loc, "SetOrder: the order must be 1 to %d", HIGH_ORDER_MAX);
@@ -172,8 +175,8 @@ static bool host_mesh(void *ctx, MeshCommand what, double number, const char *te
     split_elements(j, what == MESH_REFINE ? SUBDIVIDE_HALVE : SUBDIVIDE_BARYCENTRIC);
     return true;
   }
-  diag_error(j->diag, loc, "this mesh command is not available");
-  return false;
+  diag_warning(j->diag, loc, "PartitionMesh is left out: partitions are not made here");
+  return true;
 }
 
 static bool host_save(void *ctx, const char *path, SrcLoc loc)
@@ -391,7 +394,9 @@ static ExitCode run_geo(Job *j)
     split_if_asked(j);
     return finish(j);
   }
-  if (!generate(j, action_dim(action))) return EXIT_INPUT;
+  // What the script has made of its mesh (RefineMesh, SetOrder, ...) stays.
+  bool there = j->reshaped && j->mesh && j->mesh_dim >= MIN(action_dim(action), 2);
+  if (!there && !generate(j, action_dim(action))) return EXIT_INPUT;
   if (diag_errors(j->diag) && !j->cli->keep_going) return EXIT_INPUT;
   return finish(j);
 }

@@ -35,6 +35,7 @@ typedef struct {
   Mesh *mesh;        // what -1, -2, `Mesh n;` or a mesh file gave; NULL before
   double *node_size; // wanted edge length at each node of mesh, or NULL
   int mesh_dim;      // of the last meshing; -1: none
+  bool reshaped;     // and changed since by RefineMesh, SetOrder, RecombineMesh
   size_t failed_faces;
   int threads;
   bool ended;        // the script said Exit

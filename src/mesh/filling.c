@@ -22,6 +22,50 @@ static void find_sphere(Filling *s, const Face *f)
   }
 }
 
+// ---- surfaces of revolution ------------------------------------------------------------------------------------------------
+static Vec3 side(const Filling *s, int k, double t);
+
+static Vec3 turn_about(const Filling *s, Vec3 p, double angle)
+{
+  Vec3 d = vec3_sub(p, s->centre);
+  double c = cos(angle), n = sin(angle), h = vec3_dot(d, s->axis) * (1 - c);
+  Vec3 q = vec3_add(vec3_scale(c, d), vec3_scale(n, vec3_cross(s->axis, d)));
+  return vec3_add(s->centre, vec3_add(q, vec3_scale(h, s->axis)));
+}
+
+// Where a place of the parameters comes from: how far along the curve that is turned, and which share of the angle.
+static Vec2 turned_from(const Filling *s, double u, double v)
+{
+  if (s->n == 4) return (Vec2){u, v};
+  double along = s->apex == 0 ? u : u - v, rim = s->apex == 0 ? u : 1 - u + v;
+  return (Vec2){along, rim > 0 ? fmin(v / rim, 1) : 0};
+}
+
+// A face that Extrude has swept round an axis: read the axis off an arc that a point has drawn, and believe it if it takes the first curve
+// to the one at the far end.
+static void find_revolution(Filling *s, const Face *f)
+{
+  if (f->planar || !f->extruded_curve || s->curve[0]->tag != abs(f->extruded_curve)) return;
+  bool at_end = f->extruded_side[1] != 0;
+  int k = at_end ? 1 : s->n - 1, top = at_end ? 2 : 1;
+  const Curve *c = s->curve[k];
+  const Point *centre = c->type == CURVE_CIRCLE && c->npoint == 3 ? model_point(s->model, c->point[1]) : NULL;
+  if (!centre) return;
+  bool with = s->reversed[k] != at_end; // the arc's own sense is that of the motion
+  Vec3 a = curve_point(s->model, c, with ? 0 : 1), along = vec3_scale(with ? 1 : -1, curve_deriv(s->model, c, with ? 0 : 1));
+  s->centre = centre->xyz;
+  s->axis = vec3_cross(vec3_sub(a, s->centre), along);
+  s->axis = vec3_scale(1 / vec3_length(s->axis), s->axis);
+  s->angle = curve_angle(s->model, c);
+  s->apex = at_end ? 0 : 1;
+  s->turned = true;
+  double tolerance = 1e-6 * (curve_length(s->model, c) + curve_length(s->model, s->curve[0]));
+  for (int i = 0; i <= 4; i++) {
+    double t = i / 4.0;
+    s->turned = s->turned && vec3_distance(turn_about(s, side(s, 0, t), s->angle), side(s, top, 1 - t)) <= tolerance;
+  }
+}
+
 // A rectangle of the mean lengths of opposite curves, or the triangle of the three lengths (of sides 1 if they make none).
 static void set_flat(Filling *s)
 {
@@ -59,11 +103,13 @@ bool filling_init(Filling *s, const Model *m, const Face *f)
   vec_free(&curve);
   vec_free(&start);
   if (!good) return false;
-  find_sphere(s, f);
+  find_revolution(s, f);
+  if (!s->turned) find_sphere(s, f);
   set_flat(s);
   return true;
 }
 
+// ---- places ----------------------------------------------------------------------------------------------------------------
 // Point of the k-th side at t in the sense of the loop.
 static Vec3 side(const Filling *s, int k, double t)
 {
@@ -93,6 +139,10 @@ Vec3 filling_point(const Filling *s, double u, double v)
 {
   u = fmin(fmax(u, 0), 1);
   v = fmin(fmax(v, 0), s->n == 3 ? u : 1);
+  if (s->turned) {
+    Vec2 from = turned_from(s, u, v);
+    return turn_about(s, side(s, 0, from.x), from.y * s->angle);
+  }
   Vec3 p = s->n == 3 ? triangle_point(s, u, v) : quad_point(s, u, v);
   if (!s->sphere) return p;
   Vec3 d = vec3_sub(p, s->centre);
@@ -111,6 +161,21 @@ Vec2 filling_from_plane(const Filling *s, Vec2 q)
   if (s->n == 4) return (Vec2){q.x / s->flat[2].x, q.y / s->flat[2].y};
   double v = q.y / s->flat[2].y;
   return (Vec2){(q.x - v * s->flat[2].x) / s->flat[1].x + v, v};
+}
+
+double filling_stretch(const Filling *s, Vec2 q)
+{
+  double w = s->flat[1].x, h = s->flat[2].y, e = 1e-3;
+  Vec2 c = s->n == 3 ? (Vec2){(s->flat[1].x + s->flat[2].x) / 3, h / 3} : (Vec2){w / 2, h / 2};
+  q = vec2_add(q, vec2_scale(4 * e, vec2_sub(c, q))); // so that the differences stay inside
+  Vec3 at[4];
+  const Vec2 step[4] = {{e * w, 0}, {-e * w, 0}, {0, e * h}, {0, -e * h}};
+  for (int k = 0; k < 4; k++) {
+    Vec2 uv = filling_from_plane(s, vec2_add(q, step[k]));
+    at[k] = filling_point(s, uv.x, uv.y);
+  }
+  double area = vec3_length(vec3_cross(vec3_sub(at[0], at[1]), vec3_sub(at[2], at[3]))) / (4 * e * w * e * h);
+  return fmin(fmax(sqrt(area), 0.1), 10);
 }
 
 Vec2 filling_side(const Filling *s, int k, double t)

@@ -23,6 +23,10 @@ typedef struct {
   bool sphere;          // arcs about one centre that are not in one plane: the surface is drawn onto their sphere
   Vec3 centre;
   double radius;
+  bool turned;          // a curve turned about an axis (Extrude): the surface of revolution, at `axis` through `centre`
+  Vec3 axis;            // of unit length; the first curve is the one that is turned ...
+  double angle;         // ... by so much
+  int apex;             // with 3 curves: the corner on the axis, 0 or 1
   Vec2 flat[4];         // corners of the plane polygon that stands for it, of about its size (filling_to_plane)
 } Filling;
 
@@ -34,5 +38,7 @@ Vec2 filling_side(const Filling *s, int k, double t);
 // Between parameters and a plane polygon with sides about as long as the curves, where the surface is meshed if it is not plane.
 Vec2 filling_to_plane(const Filling *s, Vec2 uv);
 Vec2 filling_from_plane(const Filling *s, Vec2 q);
+// How much longer lengths are on the surface than in that plane, near q: the root of the ratio of areas, between 0.1 and 10.
+double filling_stretch(const Filling *s, Vec2 q);
 
 #endif

@@ -66,8 +66,9 @@ static void extract(const Tri *t, const FaceGraph *g, const Driver *d, const Fac
   for (uint32_t v = nlocal; v < t->nv; v++) {
     if (id[v] == NONE) continue;
     id[v] = base + (uint32_t)out->nown;
-    out->size[out->nown] = size[v];
-    out->own[out->nown++] = face_map_point(map, (Vec2){tri_xy(t, v)[0], tri_xy(t, v)[1]});
+    Vec2 q = {tri_xy(t, v)[0], tri_xy(t, v)[1]};
+    out->size[out->nown] = map->filling ? size[v] * filling_stretch(map->filling, q) : size[v];
+    out->own[out->nown++] = face_map_point(map, q);
   }
   for (TriId k = 0; k < t->nt; k++) {
     if (!tri_is_inside(t, k)) continue;
@@ -126,7 +127,7 @@ static void mesh_plane_face(const Driver *d, size_t k, SizeEval *eval, FaceMesh 
   warn_of_algorithm(f, d->in->options, diag);
   FaceGraph g = {0};
   Filling filling;
-  FaceMap map = {f, filling_wanted(&filling, d->in->model, f) ? &filling : NULL, eval};
+  FaceMap map = {f, filling_wanted(&filling, d->in->model, f) ? &filling : NULL, eval, NULL};
   if (!map.filling && !boundary_layers_on(d->in->layers, k))
     g.coarse = face_is_split(d->in->model, f, d->in->curves, d->in->options);
   if (boundary_layers_on(d->in->layers, k))
@@ -140,6 +141,8 @@ static void mesh_plane_face(const Driver *d, size_t k, SizeEval *eval, FaceMesh 
     SizeInPlane here = {eval, f};
     TriRefineParams p = mesh2d_refine_params(d->in->options, f, &here);
     if (map.filling) {
+      if (p.extend_from_boundary) map.curves = d->in->curves;
+      p.extend_from_boundary = false; // lengths in the plane of the filling are not those on it
       p.size = filling_size;
       p.size_ctx = &map;
     }

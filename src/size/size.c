@@ -132,13 +132,16 @@ static double point_lc(const SizeField *s, int tag)
   return p ? p->lc : LC_UNSET;
 }
 
+// Linear, and exact at both ends: one of them may be LC_UNSET, beside which the other would be lost in rounding.
+static double between(double a, double b, double t) { return a == b ? a : t >= 1 ? b : a + t * (b - a); }
+
 // Between control points, linear in the parameter, where the user asks for the sizes of all of them.
 static double lc_between_controls(const SizeField *s, const Curve *c, double u)
 {
   double t = u * (c->npoint - 1);
   int i = MIN((int)t, c->npoint - 2);
   double a = point_lc(s, c->point[i]), b = point_lc(s, c->point[i + 1]);
-  return a + (b - a) * (t - i);
+  return between(a, b, t - i);
 }
 
 static bool has_inner_controls(const Curve *c)
@@ -151,7 +154,7 @@ static double curve_lc(const SizeField *s, const Curve *c, double u)
   if (s->parametric && has_inner_controls(c)) return lc_between_controls(s, c, u);
   double a = point_lc(s, c->begin), b = point_lc(s, c->end);
   if (a >= LC_UNSET && b >= LC_UNSET) return s->diagonal / 10;
-  return a == b ? a : a + u * (b - a);
+  return between(a, b, u);
 }
 
 static double curvature_size(const SizeField *s, const Curve *c, double u)

@@ -58,6 +58,34 @@ check "its top has the cells of its bottom" same_cells 1 26
 check "and its right side those of its left" same_cells 17 25
 check "and all fits" "$MESHGEN" check a.msh
 
+# ---- surfaces in space ----
+area() { awk -v want="$1" -v share="$2" '$1 == "surface" && $2 == 1 { a = $NF } END { exit !(a < want && a > (1 - share) * want) }' out.txt; }
+name="a torus in three turns"
+mesh 'Point(1)={2,0,0,.3};Point(2)={2.7,0,0,.3};Point(3)={2,0,.7,.3};Point(4)={1.3,0,0,.3};Point(5)={2,0,-.7,.3};
+Circle(1)={2,1,3};Circle(2)={3,1,4};Circle(3)={4,1,5};Circle(4)={5,1,2}; a[]={1:4};
+For i In {1:3}
+  b[]=Extrude{{0,0,1},{0,0,0},2*Pi/3}{Line{a[]};}; a[]={b[0],b[4],b[8],b[12]};
+EndFor
+Physical Surface(1)={:};'
+check "lacks half a percent of 4 pi^2 R r, by chords" area 55.2698 0.006
+name="a cone with its tip on the axis"
+mesh 'Point(1)={0,0,1,.1};Point(2)={1,0,0,.1};Line(1)={1,2};a=1;
+For i In {1:4}
+  b[]=Extrude{{0,0,1},{0,0,0},Pi/2}{Line{a};}; a=b[0];
+EndFor
+Physical Surface(1)={:};'
+check "lacks half a percent of pi sqrt 2" area 4.44288 0.005
+name="a sphere of eight patches"
+mesh 'lc=.2;Point(1)={0,0,0};Point(2)={1,0,0,lc};Point(3)={0,1,0,lc};Point(4)={-1,0,0,lc};Point(5)={0,-1,0,lc};Point(6)={0,0,1,lc};
+Point(7)={0,0,-1,lc};Circle(1)={2,1,3};Circle(2)={3,1,4};Circle(3)={4,1,5};Circle(4)={5,1,2};Circle(5)={2,1,6};Circle(6)={3,1,6};
+Circle(7)={4,1,6};Circle(8)={5,1,6};Circle(9)={2,1,7};Circle(10)={3,1,7};Circle(11)={4,1,7};Circle(12)={5,1,7};
+For i In {0:3}
+  j=(i+1)%4; Line Loop(10+i)={1+i,6+i-4*(i==3),-(5+i)};Ruled Surface(10+i)={10+i};
+  Line Loop(20+i)={1+i,10+i-4*(i==3),-(9+i)};Ruled Surface(20+i)={20+i};
+EndFor
+Physical Surface(1)={:};'
+check "lacks one percent of 4 pi" area 12.5664 0.01
+
 # ---- bodies in contact ----
 name="two squares that are not joined"
 mesh 'Point(1)={0,0,0,.1};Point(2)={1,0,0,.1};Point(3)={1,1,0,.1};Point(4)={0,1,0,.1};Line(1)={1,2};Line(2)={2,3};Line(3)={3,4};
@@ -83,6 +111,16 @@ for order in 2 3 4; do
     /^\$Elements/ { on = 1 } on && ($2 == 8 || $2 == 26 || $2 == 27) { for (i = 6; i <= NF; i++) if (r[$i] - 1 > 1e-14 || 1 - r[$i] > 1e-14) bad++; seen++ }
     END { exit !(seen == 24 && !bad) }' a.msh
 done
+
+name="refining before -2"
+mesh "$square Transfinite Curve{1:4}=3;Transfinite Surface{1}; Mesh 2; RefineMesh;"
+prints "25 nodes, 16 lines, 32 triangles" "what a script has refined stays refined"
+name="recombining afterwards"
+mesh "$square Transfinite Curve{1:4}=3;Transfinite Surface{1}; Mesh 2; RecombineMesh;"
+prints "9 nodes, 8 lines, 0 triangles, 4 quadrangles" "RecombineMesh makes quadrangles"
+name="a size at one end alone"
+mesh 'Point(1)={0,0,0};Point(2)={1,0,0,.01};Point(3)={1,1,0,.1};Line(1)={1,2};Line(2)={2,3};Line(3)={3,1};' -1
+prints "lines" "the other end counts as very large"
 
 # ---- periodicity ----
 name="periodic sides"
