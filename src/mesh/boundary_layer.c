@@ -34,6 +34,39 @@ void layer_heights_beta(double thickness, double beta, size_t n, double *height)
   }
 }
 
+// Sum of first * growth^p over all layers, and its derivative by p.
+static double sum_of_layers(const LayerField *f, double first, double p, double *slope)
+{
+  double sum = 0;
+  *slope = 0;
+  for (size_t k = 0; k < f->growth.len; k++) {
+    double g = first * exp(p * f->growth.data[k]);
+    sum += g;
+    *slope += g * f->growth.data[k];
+  }
+  return sum;
+}
+
+void column__heights(const LayerField *f, double first, double s, double *height)
+{
+  size_t n = f->height.len;
+  double total = s * vec_last(&f->height), p = 1, slope;
+  bool even = total <= (double)n * first || !(vec_last(&f->growth) > 1e-9);
+  for (int round = 0; round < 60 && !even; round++) { // Newton: the sum is convex in p
+    double step = (sum_of_layers(f, first, p, &slope) - total) / slope;
+    step = fmin(fmax(step, -1), 1);
+    p = fmax(p - step, 0);
+    if (fabs(step) < 1e-14) break;
+  }
+  double d = 0;
+  for (size_t k = 0; k < n; k++) {
+    d += even ? total / (double)n : first * exp(p * f->growth.data[k]);
+    height[k] = d;
+  }
+  for (size_t k = 0; k < n; k++) // to the bit what was asked for where nothing stands against it, and never beyond the top
+    height[k] = s == 1 && first == f->height.data[0] ? f->height.data[k] : k + 1 == n ? total : fmin(height[k], total);
+}
+
 // ---- fields ------------------------------------------------------------------------------------------------------------
 static void copy_tags(IntVec *to, const FieldSet *fields, int id, const char *option)
 {
@@ -46,6 +79,24 @@ static bool contains(const IntVec *v, int tag)
 {
   for (size_t i = 0; i < v->len; i++)
     if (v->data[i] == tag) return true;
+  return false;
+}
+
+// SizesList: pairs of a point and the first height there.
+static bool read_sizes(LayerField *f, const FieldSet *fields, int id, Diag *diag)
+{
+  size_t n;
+  const double *pair = field_get_list(fields, id, "SizesList", &n);
+  for (size_t i = 0; i + 1 < n; i += 2) {
+    vec_push(&f->sized, (int)pair[i]);
+    vec_push(&f->first, pair[i + 1]);
+    if (pair[i + 1] > 0) continue;
+    diag_error(diag, field_loc(fields, id), "field %d: the first height at point %d is %g; it must be positive", id, (int)pair[i],
+               pair[i + 1]);
+    return false;
+  }
+  if (n % 2 == 0) return true;
+  diag_error(diag, field_loc(fields, id), "field %d: SizesList has %zu numbers; it lists pairs of a point and a height", id, n);
   return false;
 }
 
@@ -78,6 +129,9 @@ static bool read_field(LayerField *f, const FieldSet *fields, int id, Diag *diag
     vec_resize(&f->height, MAX_LAYERS);
     vec_resize(&f->height, layer_heights(first, ratio, thickness, f->height.data, MAX_LAYERS));
   }
+  for (size_t k = 0; k < f->height.len; k++)
+    vec_push(&f->growth, log((k ? f->height.data[k] - f->height.data[k - 1] : f->height.data[0]) / f->height.data[0]));
+  if (!read_sizes(f, fields, id, diag)) return false;
   if (!f->height.len)
     diag_warning(diag, field_loc(fields, id), "field %d makes no layer: its first height, %g, is above its thickness, %g", id,
                  first, thickness);
@@ -87,6 +141,9 @@ static bool read_field(LayerField *f, const FieldSet *fields, int id, Diag *diag
 static void field_free(LayerField *f)
 {
   vec_free(&f->height);
+  vec_free(&f->growth);
+  vec_free(&f->sized);
+  vec_free(&f->first);
   vec_free(&f->curves);
   vec_free(&f->fans);
   vec_free(&f->excluded);
@@ -184,10 +241,27 @@ static int fan_cells(const Planner *p, const Seg *s, double angle)
   return (int)(p->opt->Mesh_BoundaryLayerFanElements * -angle / PI + 0.5) + 1;
 }
 
-static void push_column(Chain *c, const Seg *s, bool at_end, Vec2 dir)
+static double first_at_point(const LayerField *f, int tag)
 {
-  vec_push(&c->col, ((Column){.curve = s->curve, .index = at_end ? s->to : s->from, .base = at_end ? s->b : s->a, .dir = dir,
-                              .s = 1, .on = NONE}));
+  for (size_t i = 0; i < f->sized.len; i++)
+    if (f->sized.data[i] == tag) return f->first.data[i];
+  return f->height.data[0];
+}
+
+// First height at a node of a curve: from end to end linear in the parameter.
+static double first_at_node(const Planner *p, const LayerField *f, uint32_t curve, uint32_t node)
+{
+  if (!f->sized.len) return f->height.data[0];
+  const Curve *c = model_curve_at(p->m, curve);
+  double u = p->curves->curve[curve].u[node], a = first_at_point(f, c->begin), b = first_at_point(f, c->end);
+  return u <= 0 ? a : u >= 1 ? b : a + u * (b - a);
+}
+
+static void push_column(const Planner *p, Chain *c, const Seg *s, bool at_end, Vec2 dir)
+{
+  uint32_t node = at_end ? s->to : s->from;
+  vec_push(&c->col, ((Column){.curve = s->curve, .index = node, .base = at_end ? s->b : s->a, .dir = dir, .s = 1,
+                              .first = first_at_node(p, c->field, s->curve, node), .on = NONE}));
 }
 
 // Columns at the node between two layered segments.
@@ -198,12 +272,12 @@ static void add_inner(const Planner *p, Chain *c, const Seg *before, const Seg *
   if (angle > PI - 1e-9) angle = -PI; // the tip of a slit
   int fan = fan_cells(p, s, angle);
   if (fan) {
-    for (int k = 0; k <= fan; k++) push_column(c, s, false, k == fan ? left_of(e) : rotated(left_of(d), angle * k / fan));
+    for (int k = 0; k <= fan; k++) push_column(p, c, s, false, k == fan ? left_of(e) : rotated(left_of(d), angle * k / fan));
     return;
   }
   Vec2 mean = unit(vec2_add(left_of(d), left_of(e)));
   double share = fmax(vec2_dot(mean, left_of(d)), 0.05);
-  push_column(c, s, false, vec2_scale(1 / share, mean));
+  push_column(p, c, s, false, vec2_scale(1 / share, mean));
 }
 
 static bool may_change(const Planner *p, const Curve *c)
@@ -268,9 +342,9 @@ static void add_chains(const Planner *p, FaceLayers *f, const SegVec *seg)
     while (j < start + n && seg->data[j % n].field == lf) j++;
     if (lf) {
       Chain c = {.field = lf};
-      push_column(&c, &seg->data[i % n], false, (Vec2){0, 0});
+      push_column(p, &c, &seg->data[i % n], false, (Vec2){0, 0});
       for (size_t k = i + 1; k < j; k++) add_inner(p, &c, &seg->data[(k - 1) % n], &seg->data[k % n]);
-      push_column(&c, &seg->data[(j - 1) % n], true, (Vec2){0, 0});
+      push_column(p, &c, &seg->data[(j - 1) % n], true, (Vec2){0, 0});
       finish_open(p, &c, seg, i % n, j - 1);
       vec_push(&f->chain, c);
     }
@@ -420,7 +494,7 @@ static bool face_has_layers(const Planner *p, const Face *face)
 
 // ---- ends on curves: one height for all faces ------------------------------------------------------------------------------
 typedef struct {
-  double s;
+  double s, first;
   const LayerField *field;
   double length; // of the column at s = 1
 } End;
@@ -436,7 +510,7 @@ static bool agree(const Planner *p, End *end)
         Column *col = &c->col.data[k];
         if (col->on == NONE || c->dropped) continue;
         End *e = &end[2 * col->on + col->on_end];
-        if (!e->field) *e = (End){col->s, c->field, vec2_length(col->dir)};
+        if (!e->field) *e = (End){col->s, col->first, c->field, vec2_length(col->dir)};
         double length = vec2_length(col->dir);
         if (e->field != c->field || fabs(length - e->length) > 1e-9 * length) { // two laws on one curve: the second gives way
           *col = (Column){.curve = col->curve, .index = col->index, .base = col->base, .dir = col->dir, .on = NONE, .collapsed = true};
@@ -469,24 +543,26 @@ static void replace_nodes(const Planner *p, uint32_t k, const End *at_begin, con
   const CurveMesh *cm = &p->curves->curve[k];
   const Curve *c = model_curve_at(p->m, k);
   double length = curve_length(p->m, c);
-  DoubleVec s = {0};
+  DoubleVec s = {0}, height[2] = {{0}, {0}};
   vec_push(&s, 0);
   const End *end[2] = {at_begin, at_end};
   double top[2] = {0, 0};
-  for (int i = 0; i < 2; i++)
-    if (end[i]->field && end[i]->s > 0) top[i] = end[i]->s * end[i]->length * vec_last(&end[i]->field->height);
-  if (top[0] > 0)
-    for (size_t i = 0; i < end[0]->field->height.len; i++)
-      vec_push(&s, end[0]->s * end[0]->length * end[0]->field->height.data[i] / length);
+  for (int i = 0; i < 2; i++) {
+    if (!end[i]->field || !(end[i]->s > 0)) continue;
+    vec_resize(&height[i], end[i]->field->height.len);
+    column__heights(end[i]->field, end[i]->first, end[i]->s, height[i].data);
+    top[i] = end[i]->length * vec_last(&height[i]);
+  }
+  for (size_t i = 0; i < height[0].len; i++) vec_push(&s, end[0]->length * height[0].data[i] / length);
   double lo = top[0] / length, hi = 1 - top[1] / length;
   for (uint32_t i = 1; i + 1 < cm->n; i++) {
     double at = vec3_distance(cm->p[0], cm->p[i]) / length;
     double before = at - vec3_distance(cm->p[0], cm->p[i - 1]) / length, after = vec3_distance(cm->p[0], cm->p[i + 1]) / length - at;
     if (at > lo + 0.5 * before && at < hi - 0.5 * after) vec_push(&s, at);
   }
-  if (top[1] > 0)
-    for (size_t i = end[1]->field->height.len; i-- > 0;)
-      vec_push(&s, 1 - end[1]->s * end[1]->length * end[1]->field->height.data[i] / length);
+  for (size_t i = height[1].len; i-- > 0;) vec_push(&s, 1 - end[1]->length * height[1].data[i] / length);
+  vec_free(&height[0]);
+  vec_free(&height[1]);
   vec_push(&s, 1);
   double *u = mem_alloc(s.len * sizeof *u);
   curve_at_fractions(p->m, c, s.data, (uint32_t)s.len, u);
@@ -506,7 +582,7 @@ static void put_ends_on_curves(const Planner *p, End *end)
       Chain *c = &p->b->face[i].chain.data[j];
       for (size_t k = 0; k < c->col.len && !c->dropped; k++) {
         Column *col = &c->col.data[k];
-        if (col->on != NONE) end[2 * col->on + col->on_end] = (End){col->s, c->field, vec2_length(col->dir)};
+        if (col->on != NONE) end[2 * col->on + col->on_end] = (End){col->s, col->first, c->field, vec2_length(col->dir)};
       }
     }
   for (uint32_t k = 0; k < n; k++)

@@ -3,7 +3,8 @@
 //
 // In every face beside a curve of a field's CurvesList (unless the face is excluded) a column of nodes stands on each node of the
 // curve, along the averaged normal, at the heights the field asks for. Columns that would meet others, or come too near to the
-// rest of the boundary, are shortened, all their heights by one factor; so cells never overlap and never turn over.
+// rest of the boundary, are shortened: their layers grow less, and if that is not enough are lower from the first on; so cells never
+// overlap and never turn over.
 //
 // At a point of FanPointsList where the boundary turns away from the face by more than a straight angle, and where it turns by more
 // than 150 degrees anyway, a fan of columns stands on one node. Where the layer ends at a straight curve the last column lies on

@@ -15,6 +15,7 @@ typedef struct {
   Vec(Vec3) own;
   DoubleVec own_xy; // in the plane
   U32Vec tri, quad;
+  DoubleVec height; // of the column at hand
 } Filler;
 
 static const FaceLayers *layers_of(const BoundaryLayers *b, size_t k)
@@ -48,6 +49,7 @@ static uint32_t node_on_curve(const Filler *f, uint32_t curve, bool from_end, si
 static void column_nodes(Filler *f, const Chain *c, const Column *k, uint32_t *id)
 {
   size_t n = c->field->height.len;
+  column__heights(c->field, k->first, k->s, f->height.data);
   id[0] = edge_nodes_at(f->en, f->curves->model, f->curves, k->curve, k->index);
   for (size_t i = 1; i <= n; i++) {
     if (k->collapsed || !(k->s > 0)) {
@@ -55,7 +57,7 @@ static void column_nodes(Filler *f, const Chain *c, const Column *k, uint32_t *i
     } else if (k->on != NONE) {
       id[i] = node_on_curve(f, k->on, k->on_end, i);
     } else {
-      Vec2 q = vec2_add(k->base, vec2_scale(k->s * c->field->height.data[i - 1], k->dir));
+      Vec2 q = vec2_add(k->base, vec2_scale(f->height.data[i - 1], k->dir));
       id[i] = (uint32_t)(f->en->n + f->own.len);
       vec_push(&f->own, face_from_plane(f->face, q));
       vec_push(&f->own_xy, q.x);
@@ -129,6 +131,7 @@ static void add_segment(FaceGraph *g, const Filler *f, uint32_t a, uint32_t b, i
 static void fill_chain(Filler *f, const Chain *c, FaceGraph *g)
 {
   size_t n = c->field->height.len, ncol = c->col.len;
+  vec_resize(&f->height, n);
   uint32_t *id = mem_alloc(ncol * (n + 1) * sizeof *id);
   for (size_t i = 0; i < ncol; i++) column_nodes(f, c, &c->col.data[i], id + i * (n + 1));
   for (size_t i = 0; i < chain__cells(c); i++) {
@@ -155,41 +158,27 @@ typedef struct {
 } Taken;
 #define ALL (NONE - 1)
 
-static void add_curve(FaceGraph *g, const Filler *f, const Taken *t, int tag, bool embedded)
+typedef struct {
+  FaceGraph *g;
+  const Filler *f;
+  const Taken *taken;
+} Rest;
+
+static void add_curve(void *ctx, int tag, bool embedded)
 {
-  uint32_t k = mesh1d_index(f->curves, tag);
-  size_t n = f->curves->curve[k].n;
-  if (n < 2 || t->skip[2 * k] == ALL) return;
-  for (size_t i = t->skip[2 * k]; i + 1 + t->skip[2 * k + 1] < n; i++)
-    add_segment(g, f, node_on_curve(f, k, false, i), node_on_curve(f, k, false, i + 1), abs(tag), embedded);
+  const Rest *r = ctx;
+  const uint32_t *skip = r->taken->skip;
+  uint32_t k = mesh1d_index(r->f->curves, tag);
+  size_t n = r->f->curves->curve[k].n;
+  if (n < 2 || skip[2 * k] == ALL) return;
+  for (size_t i = skip[2 * k]; i + 1 + skip[2 * k + 1] < n; i++)
+    add_segment(r->g, r->f, node_on_curve(r->f, k, false, i), node_on_curve(r->f, k, false, i + 1), abs(tag), embedded);
 }
 
-static int compare_abs(const void *a, const void *b)
+static void add_point(void *ctx, uint32_t node)
 {
-  int x = abs(*(const int *)a), y = abs(*(const int *)b);
-  return (x > y) - (x < y);
-}
-
-static void add_rest(FaceGraph *g, const Filler *f, const Taken *t)
-{
-  const Model *m = f->curves->model;
-  IntVec curve = {0}, start = {0};
-  face_boundary(m, f->face, &curve, &start);
-  qsort(curve.data, curve.len, sizeof *curve.data, compare_abs);
-  for (size_t i = 0, j; i < curve.len; i = j) {
-    for (j = i; j < curve.len && abs(curve.data[j]) == abs(curve.data[i]);) j++;
-    add_curve(g, f, t, curve.data[i], (j - i) % 2 == 0);
-  }
-  for (size_t i = 0; i < f->face->embedded_curves.len; i++) {
-    int tag = f->face->embedded_curves.data[i];
-    if (!curve.len || !bsearch(&tag, curve.data, curve.len, sizeof tag, compare_abs)) add_curve(g, f, t, tag, true);
-  }
-  for (size_t i = 0; i < f->face->embedded_points.len; i++) {
-    uint32_t node = edge_nodes_point(m, f->face->embedded_points.data[i]);
-    if (node != NONE) graph_vertex(g, f, node);
-  }
-  vec_free(&curve);
-  vec_free(&start);
+  const Rest *r = ctx;
+  graph_vertex(r->g, r->f, node);
 }
 
 static void mark_taken(const Filler *f, Taken *t)
@@ -213,9 +202,12 @@ void boundary_layers_fill(const BoundaryLayers *b, size_t k, const Mesh1d *curve
   mark_taken(&f, &taken);
   for (size_t j = 0; j < f.f->chain.len; j++)
     if (!f.f->chain.data[j].dropped) fill_chain(&f, &f.f->chain.data[j], g);
-  add_rest(g, &f, &taken);
+  static const FaceVisitor visitor = {add_curve, add_point};
+  Rest rest = {g, &f, &taken};
+  face_graph_visit(curves->model, f.face, &visitor, &rest);
   free(taken.skip);
   vec_free(&f.own_xy);
+  vec_free(&f.height);
   out->own = f.own.data;
   out->nown = f.own.len;
   out->tri = f.tri.data;

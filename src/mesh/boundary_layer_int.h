@@ -7,7 +7,10 @@
 
 typedef struct {
   DoubleVec height;  // cumulative
+  DoubleVec growth;  // of each layer: logarithm of its height against the first one's
   IntVec curves, fans, excluded;
+  IntVec sized;      // points with first heights of their own ...
+  DoubleVec first;   // ... namely these
   DoubleVec fan_size; // of each fan point; may be shorter
   bool quads;
 } LayerField;
@@ -17,7 +20,8 @@ typedef struct {
   uint32_t curve, index;  // node `index` of the mesh of the curve-th curve
   Vec2 base, dir;         // in the plane of the face; base + s * height * dir. dir is at least a unit long: its share along the
                           // normals of the segments beside it is 1
-  double s;               // factor of the heights, in [0, 1]
+  double s;               // share of the thickness that it takes up, in [0, 1]
+  double first;           // height of its first layer, if there is room for that
   bool collapsed;         // s = 0: all its nodes are the base
   bool open;              // the end of a chain whose column is a side of what is left of the face
   uint32_t on;            // curve that it lies on, or NONE
@@ -59,6 +63,10 @@ static inline Vec2 column__top(const Chain *c, const Column *k)
 {
   return vec2_add(k->base, vec2_scale(k->s * chain__thickness(c), k->dir));
 }
+
+// Cumulative heights of a column that takes up the share s of the thickness: field->height.len of them. The first is `first` and the
+// others grow by one law, the steeper the more room there is; where not even equal heights fit, they are all equal and less.
+void column__heights(const LayerField *f, double first, double s, double *height);
 
 // Give every column its factor: room between walls, leaning columns, gentle slopes, and at last exact checks. Factors only
 // decrease: call again after others changed them.

@@ -47,8 +47,18 @@ static void add_middle(FaceGraph *g, const Face *f, const EdgeNodes *en, uint32_
   vec_push(&g->middle_xy, q.y);
 }
 
-static void graph_add_curve(FaceGraph *g, const Source *s, const Face *f, int tag, bool embedded)
+typedef struct {
+  FaceGraph *g;
+  const Source *s;
+  const Face *frame;
+} Adding;
+
+static void graph_add_curve(void *ctx, int tag, bool embedded)
 {
+  const Adding *to = ctx;
+  const Source *s = to->s;
+  const Face *f = to->frame;
+  FaceGraph *g = to->g;
   bool fresh;
   map_slot(&g->has_curve, (uint64_t)abs(tag), 1, &fresh);
   if (!fresh) return;
@@ -65,33 +75,45 @@ static void graph_add_curve(FaceGraph *g, const Source *s, const Face *f, int ta
   }
 }
 
+static void graph_add_point(void *ctx, uint32_t node)
+{
+  const Adding *to = ctx;
+  graph_vertex(to->g, to->frame, to->s->nodes, node);
+}
+
 static int compare_abs(const void *a, const void *b)
 {
   int x = abs(*(const int *)a), y = abs(*(const int *)b);
   return (x > y) - (x < y);
 }
 
-void face_graph_add(FaceGraph *g, const Model *m, const Face *f, const Mesh1d *curves, const EdgeNodes *nodes)
+void face_graph_visit(const Model *m, const Face *f, const FaceVisitor *v, void *ctx)
 {
-  const Face *frame = g->frame ? g->frame : f;
-  Source s = {m, curves, nodes};
   IntVec curve = {0}, start = {0};
   face_boundary(m, f, &curve, &start);
   qsort(curve.data, curve.len, sizeof *curve.data, compare_abs);
   for (size_t i = 0, j; i < curve.len; i = j) {
     for (j = i; j < curve.len && abs(curve.data[j]) == abs(curve.data[i]);) j++;
-    graph_add_curve(g, &s, frame, curve.data[i], (j - i) % 2 == 0);
+    v->curve(ctx, curve.data[i], (j - i) % 2 == 0);
   }
   for (size_t i = 0; i < f->embedded_curves.len; i++) {
     int tag = f->embedded_curves.data[i];
-    if (!curve.len || !bsearch(&tag, curve.data, curve.len, sizeof tag, compare_abs)) graph_add_curve(g, &s, frame, tag, true);
+    if (!curve.len || !bsearch(&tag, curve.data, curve.len, sizeof tag, compare_abs)) v->curve(ctx, tag, true);
   }
   for (size_t i = 0; i < f->embedded_points.len; i++) {
     uint32_t node = edge_nodes_point(m, f->embedded_points.data[i]);
-    if (node != NONE) graph_vertex(g, frame, nodes, node);
+    if (node != NONE) v->point(ctx, node);
   }
   vec_free(&curve);
   vec_free(&start);
+}
+
+void face_graph_add(FaceGraph *g, const Model *m, const Face *f, const Mesh1d *curves, const EdgeNodes *nodes)
+{
+  static const FaceVisitor visitor = {graph_add_curve, graph_add_point};
+  const Source s = {m, curves, nodes};
+  Adding to = {g, &s, g->frame ? g->frame : f};
+  face_graph_visit(m, f, &visitor, &to);
 }
 
 static SrcLoc curve_loc(const Model *m, int tag)

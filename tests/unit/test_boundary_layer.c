@@ -244,7 +244,55 @@ static int random_star(Rng *r, Vec2 *p, double lo, double hi)
   return n;
 }
 
-static void random_face(Rng *r, int trial)
+static double distance_to_segment(Vec2 p, Vec2 a, Vec2 b)
+{
+  Vec2 e = vec2_sub(b, a), d = vec2_sub(p, a);
+  double t = fmin(fmax(vec2_dot(d, e) / vec2_dot(e, e), 0), 1);
+  return vec2_length(vec2_sub(d, vec2_scale(t, e)));
+}
+
+static bool has_node_near(const World *w, Vec2 q, double tolerance)
+{
+  for (size_t i = 0; i < w->face[0].nown; i++) {
+    Vec3 p = w->face[0].own[i];
+    if (fabs(p.x - q.x) < tolerance && fabs(p.y - q.y) < tolerance) return true;
+  }
+  return false;
+}
+
+typedef struct {
+  const Vec2 *p;
+  int n, first; // corners, tag of the first side
+} Ring;
+
+// At nodes of straight walls that are farther than three thicknesses from every other wall and from the wall's own ends, the first and
+// the last layer are as high as asked for, within one percent. Returns how many nodes that were.
+static int check_heights(const World *w, const Ring *ring, int nring, const double *curves, int ncurve, const double *h, size_t n, int side)
+{
+  int seen = 0;
+  for (int l = 0; l < nring; l++)
+    for (int i = 0; i < ring[l].n; i++) {
+      bool layered = false;
+      for (int k = 0; k < ncurve; k++) layered = layered || (int)curves[k] == ring[l].first + i;
+      Vec2 a = ring[l].p[i], b = ring[l].p[(i + 1) % ring[l].n], e = vec2_sub(b, a);
+      Vec2 normal = vec2_scale((l ? -side : side) / vec2_length(e), (Vec2){-e.y, e.x});
+      const CurveMesh *cm = layered ? mesh1d_curve(w->curves, ring[l].first + i) : NULL;
+      for (uint32_t v = 1; cm && v + 1 < cm->n; v++) {
+        Vec2 q = {cm->p[v].x, cm->p[v].y};
+        double room = fmin(vec2_length(vec2_sub(q, a)), vec2_length(vec2_sub(q, b)));
+        for (int m = 0; m < nring; m++)
+          for (int k = 0; k < ring[m].n; k++)
+            if (m != l || k != i) room = fmin(room, distance_to_segment(q, ring[m].p[k], ring[m].p[(k + 1) % ring[m].n]));
+        if (room < 3 * h[n - 1]) continue;
+        seen++;
+        assert_true(has_node_near(w, vec2_add(q, vec2_scale(h[0], normal)), 0.01 * h[0]));
+        assert_true(has_node_near(w, vec2_add(q, vec2_scale(h[n - 1], normal)), 0.01 * h[n - 1]));
+      }
+    }
+  return seen;
+}
+
+static int random_face(Rng *r, int trial)
 {
   World w;
   world_init(&w);
@@ -268,9 +316,11 @@ static void random_face(Rng *r, int trial)
   }
   list(&w, "CurvesList", curves, (size_t)ncurve);
   list(&w, "FanPointsList", fans, (size_t)nfan);
-  number(&w, "Size", 0.002 + 0.02 * rng_double(r));
-  number(&w, "Ratio", 1 + 0.4 * rng_double(r));
-  number(&w, "Thickness", 0.03 + 0.4 * rng_double(r) * rng_double(r));
+  double height[512], size = 0.002 + 0.02 * rng_double(r), ratio = 1 + 0.4 * rng_double(r);
+  double thickness = 0.03 + 0.4 * rng_double(r) * rng_double(r);
+  number(&w, "Size", size);
+  number(&w, "Ratio", ratio);
+  number(&w, "Thickness", thickness);
   number(&w, "Quads", rng_below(r, 2));
   size_t failed = mesh_it(&w);
   if (failed) fprintf(stderr, "trial %d: %s\n", trial, diag_count(w.diag) ? diag_get(w.diag, 0)->text : "");
@@ -281,6 +331,35 @@ static void random_face(Rng *r, int trial)
   if (bad || fabs(area - want) > 1e-10) fprintf(stderr, "trial %d: %d bad, area %.15g, want %.15g\n", trial, bad, area, want);
   assert_int_equal(bad, 0);
   assert_true(fabs(area - want) < 1e-10);
+  const Ring ring[2] = {{outer, n, first}, {hole, m, first + n}};
+  int seen = check_heights(&w, ring, loops, curves, ncurve, height, layer_heights(size, ratio, thickness, height, 512), 1);
+  world_free(&w);
+  return seen;
+}
+
+// Between two walls too near for the thickness the layers are fewer in height, not in number: the first keeps its height.
+static void narrow_gaps_keep_the_first_height(void **state)
+{
+  (void)state;
+  World w;
+  world_init(&w);
+  const Vec2 p[4] = {{0, 0}, {4, 0}, {4, 0.5}, {0, 0.5}};
+  int loop, first = polygon(&w, p, 4, 0.1, &loop);
+  model_add_face(w.m, FACE_PLANE, 1, &loop, 1, NO_LOC, w.diag);
+  const double curves[2] = {first, first + 2}, sizes[4] = {1, 0.01, 2, 0.02};
+  list(&w, "CurvesList", curves, 2);
+  list(&w, "SizesList", sizes, 4);
+  number(&w, "Size", 0.01);
+  number(&w, "Ratio", 1.3);
+  number(&w, "Thickness", 0.4);
+  assert_int_equal(mesh_it(&w), 0);
+  int bad = 0;
+  assert_true(fabs(area_of(&w, &bad) - 2) < 1e-11);
+  assert_int_equal(bad, 0);
+  for (int i = 1; i < 40; i++) { // 0.01 at the left end to 0.02 at the right one below, 0.01 everywhere above
+    assert_true(has_node_near(&w, (Vec2){i * 0.1, 0.01 + 0.01 * i / 40}, 1e-9));
+    assert_true(has_node_near(&w, (Vec2){i * 0.1, 0.49}, 1e-9));
+  }
   world_free(&w);
 }
 
@@ -288,7 +367,10 @@ static void random_faces_never_overlap(void **state)
 {
   (void)state;
   Rng r = {5};
-  for (int trial = 0; trial < 300; trial++) random_face(&r, trial);
+  int seen = 0;
+  for (int trial = 0; trial < 300; trial++) seen += random_face(&r, trial);
+  printf("# heights seen at %d nodes\n", seen);
+  assert_true(seen > 1000);
 }
 
 int main(void)
@@ -298,6 +380,7 @@ int main(void)
       cmocka_unit_test(a_wall_has_the_heights_asked_for),
       cmocka_unit_test(symmetric_faces_get_symmetric_layers),
       cmocka_unit_test(fans_turn_round_corners),
+      cmocka_unit_test(narrow_gaps_keep_the_first_height),
       cmocka_unit_test(random_faces_never_overlap),
   };
   return unit_run(tests);
