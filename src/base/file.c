@@ -8,6 +8,7 @@
 #include <fcntl.h>
 #include <pthread.h>
 #include <stdarg.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -50,6 +51,33 @@ char *file_read(const char *path, size_t *len)
   buf[n] = 0;
   *len = n;
   return buf;
+}
+
+bool file_view_open(FileView *v, const char *path)
+{
+  enum { WORTH = 1 << 20 };
+  struct stat st;
+  int fd = strcmp(path, "-") == 0 ? -1 : open(path, O_RDONLY | O_CLOEXEC);
+  bool fits = fd >= 0 && fstat(fd, &st) == 0 && S_ISREG(st.st_mode) && st.st_size >= WORTH && st.st_size <= UINT32_MAX &&
+              st.st_size % sysconf(_SC_PAGESIZE) != 0; // the rest of the last page is zero: the NUL
+  void *p = fits ? mmap(NULL, (size_t)st.st_size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, fd, 0) : MAP_FAILED;
+  if (fd >= 0) close(fd);
+  if (p != MAP_FAILED) {
+    *v = (FileView){p, (size_t)st.st_size, true};
+    return true;
+  }
+  *v = (FileView){0};
+  v->text = file_read(path, &v->len);
+  return v->text != NULL;
+}
+
+void file_view_close(FileView *v)
+{
+  void *p = (void *)(uintptr_t)v->text;
+  if (v->mapped)
+    munmap(p, v->len);
+  else
+    free(p);
 }
 
 enum { WRITER_BUF = 1 << 18, MAX_TEMPORARIES = 64, PATH_CAP = 4096 };

@@ -13,6 +13,18 @@ extern "C" {
 // Returns the buffer (caller frees) and its length in *len; NULL with errno set on failure (EFBIG over 4 GiB).
 char *file_read(const char *path, size_t *len);
 
+// A whole file to look at: mapped where that saves copying it, else read. A NUL follows the last byte.
+typedef struct {
+  const char *text;
+  size_t len;
+  bool mapped;
+} FileView;
+
+// As file_read. False with errno set on failure; release with file_view_close. While a file is mapped, whoever makes it shorter
+// makes the system send SIGBUS.
+bool file_view_open(FileView *v, const char *path);
+void file_view_close(FileView *v);
+
 // A buffered writer. The bytes go to a temporary beside the target; writer_close moves it into place, so that
 // a reader sees the old file or the complete new one, never a part. "-" writes to standard output, and what is
 // not a regular file (a device, a pipe) is written directly.

@@ -17,8 +17,32 @@ static NORETURN void out_of_memory(size_t n)
   _Exit(EXIT_ENVIRONMENT);
 }
 
+// Blocks of this size and more stand on large pages, where the system has them: fewer page faults.
+static const size_t large_page = (size_t)2 << 20;
+
+// Only advice: without it all is as well, but slower.
+static void advise_large(void *p, size_t n)
+{
+#ifdef MADV_HUGEPAGE
+  uintptr_t from = ((uintptr_t)p + large_page - 1) / large_page * large_page, to = ((uintptr_t)p + n) / large_page * large_page;
+  if (from < to) madvise((void *)from, to - from, MADV_HUGEPAGE);
+#else
+  (void)p, (void)n;
+#endif
+}
+
+void *mem_alloc_large(size_t n)
+{
+  if (n < 2 * large_page) return mem_alloc(n);
+  void *p = aligned_alloc(large_page, (n + large_page - 1) / large_page * large_page);
+  if (!p) out_of_memory(n);
+  advise_large(p, n);
+  return p;
+}
+
 void *mem_alloc(size_t n)
 {
+  if (n >= 2 * large_page) return mem_alloc_large(n);
   void *p = malloc(n ? n : 1);
   if (!p) out_of_memory(n);
   return p;
@@ -33,20 +57,10 @@ void *mem_zalloc(size_t n)
 
 void *mem_realloc(void *p, size_t n)
 {
+  if (!p) return mem_alloc(n);
   p = realloc(p, n ? n : 1);
   if (!p) out_of_memory(n);
-  return p;
-}
-
-void *mem_alloc_large(size_t n)
-{
-  const size_t page = (size_t)2 << 20;
-  if (n < 4 * page) return mem_alloc(n);
-  void *p = aligned_alloc(page, (n + page - 1) / page * page);
-  if (!p) out_of_memory(n);
-#ifdef MADV_HUGEPAGE
-  madvise(p, n, MADV_HUGEPAGE); // only advice: without it all is as well, but slower
-#endif
+  if (n >= 2 * large_page) advise_large(p, n);
   return p;
 }
 

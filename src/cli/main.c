@@ -17,9 +17,11 @@
 static void on_signal(int sig)
 {
   static const char late[] = "meshgen: error: stopped by -time_limit\n";
+  static const char gone[] = "meshgen: error: a file became shorter while it was read\n";
   file_remove_temporaries();
-  if (sig == SIGALRM) {
-    (void)!write(2, late, sizeof late - 1);
+  if (sig == SIGALRM || sig == SIGBUS) {
+    const char *text = sig == SIGALRM ? late : gone;
+    (void)!write(2, text, strlen(text));
     _exit(EXIT_ENVIRONMENT);
   }
   signal(sig, SIG_DFL);
@@ -28,7 +30,7 @@ static void on_signal(int sig)
 
 static void set_limits(const Cli *c)
 {
-  static const int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGALRM, SIGXCPU};
+  static const int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGALRM, SIGXCPU, SIGBUS};
   for (size_t i = 0; i < ARRAY_LEN(signals); i++) signal(signals[i], on_signal);
   signal(SIGPIPE, SIG_IGN); // a closed pipe is a write error like others
   if (c->max_memory > 0) {

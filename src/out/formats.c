@@ -161,18 +161,17 @@ Mesh *out_read(const char *path, const char *format, Diag *d, ExitCode *status)
   ExitCode ignored;
   if (!status) status = &ignored;
   *status = EXIT_GOOD;
-  size_t len;
-  char *text = file_read(path, &len);
-  if (!text) {
+  FileView v;
+  if (!file_view_open(&v, path)) {
     diag_error(d, NO_LOC, "%s: %s", path, strerror(errno));
     *status = EXIT_ENVIRONMENT;
     return NULL;
   }
-  const Format *f = choose_reader(path, format, text, len, d);
+  const Format *f = choose_reader(path, format, v.text, v.len, d);
   Mesh *m = NULL;
-  if (f && f->read) m = f->read(text, len, path, d);
+  if (f && f->read) m = f->read(v.text, v.len, path, d);
   else if (f) m = f->read_files(path, d, status);
   if (!m && *status == EXIT_GOOD) *status = EXIT_INPUT;
-  free(text);
+  file_view_close(&v);
   return m;
 }

@@ -1,0 +1,26 @@
+#!/bin/bash
+# convert.sh MESHGEN FILE.msh - whole processes that convert the same file, meshgen and gmsh in turn: least of RUNS (5), and the ratio
+set -eu
+meshgen=$1 file=$2 runs=${RUNS:-5}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+TIMEFORMAT='%R %U %S'
+# run NAME COMMAND...: one line "NAME wall cpu"
+run() {
+  local name=$1 t
+  shift
+  t=$({ time "$@" >/dev/null 2>&1; } 2>&1)
+  awk -v n="$name" '{ print n, $1, $2 + $3 }' <<<"$t"
+}
+for to in msh2 vtk stl msh; do
+  for _ in $(seq "$runs"); do
+    run meshgen "$meshgen" -v 1 "$file" -bin -format "$to" -o "$work/a.$to"
+    run gmsh gmsh -save -v 1 "$file" -bin -format "$to" -o "$work/b.$to"
+  done | sed "s/^/$to-binary /"
+  for _ in $(seq "$runs"); do
+    run meshgen "$meshgen" -v 1 "$file" -format "$to" -o "$work/a.$to"
+    run gmsh gmsh -save -v 1 "$file" -format "$to" -o "$work/b.$to"
+  done | sed "s/^/$to /"
+done | awk '{ k = $1 " " $2; if (!(k in w) || $3 < w[k]) w[k] = $3; if (!(k in c) || $4 < c[k]) c[k] = $4; to[$1] }
+  END { for (t in to) printf "to %-10s meshgen wall %.3f cpu %.3f   gmsh wall %.3f cpu %.3f   ratio %.1f and %.1f\n", t,
+    w[t " meshgen"], c[t " meshgen"], w[t " gmsh"], c[t " gmsh"], w[t " gmsh"] / w[t " meshgen"], c[t " gmsh"] / c[t " meshgen"] }' | sort
