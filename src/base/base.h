@@ -19,6 +19,7 @@
 #define LIKELY(x) __builtin_expect(!!(x), 1)
 #define UNLIKELY(x) __builtin_expect(!!(x), 0)
 #define UNUSED __attribute__((unused))
+#define CONST_FUNCTION __attribute__((const)) // the result depends on the arguments alone: loops need call it but once
 
 // Exit codes of the program (docs/architecture.md). `meshgen diff` alone uses diff(1)'s.
 typedef enum {

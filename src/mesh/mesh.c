@@ -5,36 +5,34 @@
 #include "mesh/mesh.h"
 
 typedef struct {
-  ElemType type;
   int dim, nodes, corners, order;
   const char *name;
 } ElemInfo;
 
+// By type.
 static const ElemInfo elem_info[] = {
-    {ELEM_POINT, 0, 1, 1, 1, "point"},
-    {ELEM_LINE2, 1, 2, 2, 1, "line"},
-    {ELEM_LINE3, 1, 3, 2, 2, "3-node line"},
-    {ELEM_LINE4, 1, 4, 2, 3, "4-node line"},
-    {ELEM_LINE5, 1, 5, 2, 4, "5-node line"},
-    {ELEM_TRI3, 2, 3, 3, 1, "triangle"},
-    {ELEM_TRI6, 2, 6, 3, 2, "6-node triangle"},
-    {ELEM_TRI9, 2, 9, 3, 3, "9-node triangle"},
-    {ELEM_TRI10, 2, 10, 3, 3, "10-node triangle"},
-    {ELEM_TRI15, 2, 15, 3, 4, "15-node triangle"},
-    {ELEM_QUAD4, 2, 4, 4, 1, "quadrangle"},
-    {ELEM_QUAD8, 2, 8, 4, 2, "8-node quadrangle"},
-    {ELEM_QUAD9, 2, 9, 4, 2, "9-node quadrangle"},
-    {ELEM_QUAD12, 2, 12, 4, 3, "12-node quadrangle"},
-    {ELEM_QUAD16, 2, 16, 4, 3, "16-node quadrangle"},
-    {ELEM_QUAD25, 2, 25, 4, 4, "25-node quadrangle"},
+    [ELEM_POINT] = {0, 1, 1, 1, "point"},
+    [ELEM_LINE2] = {1, 2, 2, 1, "line"},
+    [ELEM_LINE3] = {1, 3, 2, 2, "3-node line"},
+    [ELEM_LINE4] = {1, 4, 2, 3, "4-node line"},
+    [ELEM_LINE5] = {1, 5, 2, 4, "5-node line"},
+    [ELEM_TRI3] = {2, 3, 3, 1, "triangle"},
+    [ELEM_TRI6] = {2, 6, 3, 2, "6-node triangle"},
+    [ELEM_TRI9] = {2, 9, 3, 3, "9-node triangle"},
+    [ELEM_TRI10] = {2, 10, 3, 3, "10-node triangle"},
+    [ELEM_TRI15] = {2, 15, 3, 4, "15-node triangle"},
+    [ELEM_QUAD4] = {2, 4, 4, 1, "quadrangle"},
+    [ELEM_QUAD8] = {2, 8, 4, 2, "8-node quadrangle"},
+    [ELEM_QUAD9] = {2, 9, 4, 2, "9-node quadrangle"},
+    [ELEM_QUAD12] = {2, 12, 4, 3, "12-node quadrangle"},
+    [ELEM_QUAD16] = {2, 16, 4, 3, "16-node quadrangle"},
+    [ELEM_QUAD25] = {2, 25, 4, 4, "25-node quadrangle"},
 };
 
 static const ElemInfo *info(ElemType t)
 {
-  static const ElemInfo unknown = {0, -1, 0, 0, 0, "unknown element"};
-  for (size_t i = 0; i < ARRAY_LEN(elem_info); i++)
-    if (elem_info[i].type == t) return &elem_info[i];
-  return &unknown;
+  static const ElemInfo unknown = {-1, 0, 0, 0, "unknown element"};
+  return (size_t)t < ARRAY_LEN(elem_info) && elem_info[t].name ? &elem_info[t] : &unknown;
 }
 
 int elem_dim(ElemType t) { return info(t)->dim; }

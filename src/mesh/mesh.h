@@ -27,10 +27,10 @@ typedef enum {
 //   | \          |     |
 //   0--1         0-----1
 
-int elem_dim(ElemType t);           // 0, 1, 2; -1 for an unknown type
-int elem_nodes(ElemType t);         // nodes per element; 0 for an unknown type
-int elem_corners(ElemType t);       // 1, 2, 3 or 4
-int elem_order(ElemType t);         // polynomial order
+int elem_dim(ElemType t) CONST_FUNCTION;     // 0, 1, 2; -1 for an unknown type
+int elem_nodes(ElemType t) CONST_FUNCTION;   // nodes per element; 0 for an unknown type
+int elem_corners(ElemType t) CONST_FUNCTION; // 1, 2, 3 or 4
+int elem_order(ElemType t) CONST_FUNCTION;   // polynomial order
 const char *elem_name(ElemType t);  // "triangle", "6-node triangle", ...
 
 typedef struct {

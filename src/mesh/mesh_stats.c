@@ -4,8 +4,8 @@
 
 #include "mesh/mesh_stats.h"
 
+#include "base/map.h"
 #include "geom/quality.h"
-#include "mesh/mesh_edges.h"
 #include "mesh/mesh_measure.h"
 
 #define DEGREES 57.295779513082321
@@ -57,6 +57,7 @@ typedef struct {
   MeshStats *s;
   const Mesh *m;
   DoubleVec gamma, eta, angle;
+  double largest[2]; // cosine and sine of the largest angle of a triangle so far, both times the same
   uint64_t number; // of the element at hand
 } Pass;
 
@@ -85,7 +86,12 @@ static double pass_triangle(Pass *p, const MeshBlock *k, size_t i, Vec3 normal)
   double a2 = t.a * t.a, b2 = t.b * t.b, c2 = t.c * t.c, sum = a2 + b2 + c2;
   double least = fmin(a2, fmin(b2, c2)), most = fmax(a2, fmax(b2, c2)), sine = 4 * fabs(t.area);
   double angle = atan2(sine, sum - 2 * least) * DEGREES; // opposite to the shortest side
-  p->s->angle_max = fmax(p->s->angle_max, atan2(sine, sum - 2 * most) * DEGREES);
+  double cosine = sum - 2 * most; // of the largest angle, in the same unit as its sine
+  if (cosine * p->largest[1] < p->largest[0] * sine || p->s->triangles == 0) {
+    p->largest[0] = cosine;
+    p->largest[1] = sine;
+    p->s->angle_max = fmax(p->s->angle_max, atan2(sine, cosine) * DEGREES);
+  }
   note_edge(p->s, sqrt(least));
   note_edge(p->s, sqrt(most));
   vec_push(&p->gamma, gamma);
@@ -166,41 +172,105 @@ static double tau_of_edge(const Mesh *m, const double *size, uint32_t a, uint32_
   return quality_tau_term(len / h0 * (r == 0 ? 1 : log1p(r) / r));
 }
 
-static void pass_edges(MeshStats *s, const Mesh *m, const double *size)
+// What each node sees of the elements around it.
+typedef struct {
+  uint8_t *degree, *quad; // elements, and quadrangles among them
+  uint64_t *open;         // 0 if the edges that leave it and those that arrive are the same, face by face: then it is inside a face
+} Around;
+
+// A sum of these over edges that leave, less one over those that arrive, vanishes if they are the same (or else by a chance of 2^-64).
+static uint64_t edge_mark(uint32_t node, uint32_t face)
 {
-  MeshEdges e;
-  mesh_edges_make(&e, m);
-  uint8_t *degree = mem_zalloc(m->nnode), *boundary = mem_zalloc(m->nnode), *quad = mem_zalloc(m->nnode);
-  double sum = 0;
-  size_t n = 0;
+  uint64_t z = (node + ((uint64_t)face << 32)) * 0x9e3779b97f4a7c15u;
+  return (z ^ z >> 31) * 0xbf58476d1ce4e5b9u;
+}
+
+static void look_around(const Mesh *m, Around *a)
+{
   for (size_t b = 0; b < m->nblock; b++) {
     const MeshBlock *k = &m->block[b];
-    size_t corners = (size_t)elem_corners(k->type), nodes = (size_t)elem_nodes(k->type), h = e.base[b];
-    bool surface = elem_dim(k->type) == 2;
-    for (size_t i = 0; surface && i < k->n; i++)
-      for (size_t c = 0; c < corners; c++, h++) {
-        uint32_t p = k->node[i * nodes + c], q = k->node[i * nodes + (c + 1) % corners], twin = e.twin[h];
-        if (degree[p] < 255) degree[p]++;
-        if (corners == 4) quad[p]++;
-        if (twin >= EDGE_BAD) boundary[p] = boundary[q] = 1;
-        if (size && (twin == EDGE_BAD || twin == NONE || h < twin)) {
-          sum += tau_of_edge(m, size, p, q);
-          n++;
-        }
+    if (elem_dim(k->type) != 2) continue;
+    size_t corners = (size_t)elem_corners(k->type), nodes = (size_t)elem_nodes(k->type);
+    for (size_t i = 0; i < k->n; i++) {
+      const uint32_t *v = k->node + i * nodes;
+      uint64_t mark[4];
+      for (size_t c = 0; c < corners; c++) mark[c] = edge_mark(v[c], k->entity);
+      for (size_t c = 0; c < corners; c++) {
+        uint32_t p = v[c];
+        if (a->degree[p] < 255) a->degree[p]++;
+        if (corners == 4) a->quad[p]++;
+        a->open[p] += mark[c + 1 == corners ? 0 : c + 1] - mark[c ? c - 1 : corners - 1];
       }
+    }
   }
+}
+
+// Every edge of every face once: an edge inside it is run both ways, and counts where it runs upwards; one that runs downwards counts
+// if nothing runs it upwards, which is only to be asked where both its ends are on the boundary.
+typedef struct {
+  const Mesh *m;
+  const double *size;
+  const Around *around;
+  Map up;        // edges of the face at hand between nodes of its boundary that are run upwards
+  U32Vec down;   // pairs: those run downwards
+  double sum;
+  size_t n;
+} EdgeSum;
+
+static void add_edge(EdgeSum *s, uint32_t p, uint32_t q)
+{
+  s->sum += tau_of_edge(s->m, s->size, p, q);
+  s->n++;
+}
+
+static void sum_block(EdgeSum *s, const MeshBlock *k)
+{
+  size_t corners = (size_t)elem_corners(k->type), nodes = (size_t)elem_nodes(k->type);
+  for (size_t i = 0; i < k->n; i++)
+    for (size_t c = 0; c < corners; c++) {
+      uint32_t p = k->node[i * nodes + c], q = k->node[i * nodes + (c + 1 == corners ? 0 : c + 1)];
+      bool rim = s->around->open[p] && s->around->open[q];
+      if (p < q) {
+        add_edge(s, p, q);
+        if (rim) map_set(&s->up, map_pair(p, q), 1);
+      } else if (rim) {
+        vec_push(&s->down, p);
+        vec_push(&s->down, q);
+      }
+    }
+}
+
+static double efficiency(const Mesh *m, const double *size, const Around *around)
+{
+  EdgeSum s = {.m = m, .size = size, .around = around};
+  for (size_t b = 0; b < m->nblock; b++) {
+    if (elem_dim(m->block[b].type) == 2) sum_block(&s, &m->block[b]);
+    if (b + 1 < m->nblock && m->block[b + 1].entity == m->block[b].entity) continue; // the same face goes on
+    for (size_t i = 0; i < s.down.len; i += 2)
+      if (map_get(&s.up, map_pair(s.down.data[i], s.down.data[i + 1])) == NONE) add_edge(&s, s.down.data[i], s.down.data[i + 1]);
+    vec_clear(&s.down);
+    map_free(&s.up);
+  }
+  vec_free(&s.down);
+  map_free(&s.up);
+  return s.n ? exp(s.sum / (double)s.n) : NAN;
+}
+
+static void pass_edges(MeshStats *s, const Mesh *m, const double *size)
+{
+  Around a = {mem_zalloc(m->nnode + 1), mem_zalloc(m->nnode + 1), mem_zalloc((m->nnode + 1) * sizeof *a.open)};
+  look_around(m, &a);
   for (size_t i = 0; i < m->nnode; i++)
-    if (degree[i] && !boundary[i]) {
+    if (a.degree[i] && !a.open[i]) {
       s->interior++;
       // Between triangles and quadrangles both angles count: six triangles, four quadrangles, or three and two.
-      int turn = 2 * (degree[i] - quad[i]) + 3 * quad[i];
+      int turn = 2 * (a.degree[i] - a.quad[i]) + 3 * a.quad[i];
       s->irregular += turn != 12;
     }
-  s->tau = size && n ? exp(sum / (double)n) : NAN;
-  free(degree);
-  free(boundary);
-  free(quad);
-  mesh_edges_free(&e);
+  s->tau = size ? efficiency(m, size, &a) : NAN;
+  free(a.degree);
+  free(a.quad);
+  free(a.open);
 }
 
 void mesh_stats_make(MeshStats *s, const Mesh *m, const double *size)
