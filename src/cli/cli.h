@@ -61,6 +61,7 @@ void cli_free(Cli *c);
 // help.c: texts made from the tables.
 void help_print(FILE *f);
 void help_print_options(FILE *f, const Options *o);
+void help_print_formats(FILE *f);
 void help_print_man(FILE *f);
 // False for an unknown shell.
 bool help_print_completion(FILE *f, const char *shell);

@@ -79,6 +79,15 @@ void help_print_options(FILE *f, const Options *o)
   }
 }
 
+void help_print_formats(FILE *f)
+{
+  const Format *row;
+  for (size_t k = 0; (row = format_at(k)) != NULL; k++) {
+    char how[3] = {format_reads(row) ? 'r' : '-', format_writes(row) ? 'w' : '-', 0};
+    fprintf(f, "%-9s %s  %-15s %s\n", format_name(row), how, format_extensions(row), format_help(row));
+  }
+}
+
 static void man_escape(FILE *f, const char *s)
 {
   if (*s == '.' || *s == '\'') fputs("\\&", f);

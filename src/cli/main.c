@@ -32,7 +32,8 @@ static void set_limits(const Cli *c)
 {
   static const int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGALRM, SIGXCPU, SIGBUS};
   for (size_t i = 0; i < ARRAY_LEN(signals); i++) signal(signals[i], on_signal);
-  signal(SIGPIPE, SIG_IGN); // a closed pipe is a write error like others
+  signal(SIGPIPE, SIG_IGN); // a closed pipe is a write error like others,
+  signal(SIGXFSZ, SIG_IGN); // and so is a file that may not grow
   if (c->max_memory > 0) {
     struct rlimit r = {(rlim_t)c->max_memory, (rlim_t)c->max_memory};
     setrlimit(RLIMIT_AS, &r);
@@ -64,6 +65,7 @@ static ExitCode act(const Cli *c, Diag *diag)
   switch (c->action) {
   case CMD_HELP: help_print(stdout); return EXIT_GOOD;
   case CMD_HELP_OPTIONS: help_print_options(stdout, &c->options); return EXIT_GOOD;
+  case CMD_LIST_FORMATS: help_print_formats(stdout); return EXIT_GOOD;
   case CMD_DUMP_MAN: help_print_man(stdout); return EXIT_GOOD;
   case CMD_VERSION: printf("%s\n", meshgen_version); return EXIT_GOOD;
   case CMD_INFO: printf("meshgen %s, compiled with %s\n", meshgen_version, __VERSION__); return EXIT_GOOD;

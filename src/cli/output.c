@@ -231,7 +231,7 @@ ExitCode output_check(const Cli *c, Diag *diag)
     size_t n = 0;
     for (const Format *f; n < ARRAY_LEN(names) && (f = format_at(n)) != NULL; n++) names[n] = format_name(f);
     const char *near = str_nearest(c->format, names, n);
-    diag_error(diag, NO_LOC, "unknown format '%s'%s%s%s", c->format, near ? "; did you mean '" : "; see docs/formats.md for those there are",
+    diag_error(diag, NO_LOC, "unknown format '%s'%s%s%s", c->format, near ? "; did you mean '" : "; meshgen -list_formats prints those there are",
                near ? near : "", near ? "'?" : "");
     return EXIT_USAGE;
   }

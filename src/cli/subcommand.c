@@ -17,7 +17,7 @@ typedef struct {
   int argc;
   char **argv;
   Diag *diag;
-  bool json;
+  bool json, parts;
 } Words;
 
 static int read_status(ExitCode s) { return s == EXIT_GOOD ? EXIT_INPUT : (int)s; }
@@ -95,7 +95,14 @@ static int hash_one(const char *path, const Words *w)
   MeshHash h = mesh_hash(m, false);
   char text[MESH_HASH_TEXT];
   mesh_hash_print(h.full, text);
-  printf("%s  %s\n", text, path);
+  printf("%s", text);
+  if (w->parts) {
+    mesh_hash_print(h.groups, text);
+    printf(" %s", text);
+    mesh_hash_print(h.shape, text);
+    printf(" %s", text);
+  }
+  printf("  %s\n", path);
   mesh_free(m);
   return EXIT_GOOD;
 }
@@ -118,6 +125,8 @@ static int each_file(Words *w, const char *usage, int (*one)(const char *, const
       words_only = true;
     else if (may_json && is_word(word, "json"))
       w->json = true;
+    else if (!may_json && is_word(word, "parts"))
+      w->parts = true;
     else
       bad = word;
   }
@@ -290,7 +299,7 @@ static int run_diff(Words *w)
 }
 
 static int run_check(Words *w) { return each_file(w, "meshgen check [-json] file.msh ...", check_one); }
-static int run_hash(Words *w) { return each_file(w, "meshgen hash file.msh ...", hash_one); }
+static int run_hash(Words *w) { return each_file(w, "meshgen hash [-parts] file.msh ...", hash_one); }
 
 static const struct {
   const char *name;
@@ -301,7 +310,7 @@ bool subcommand_run(int argc, char **argv, Diag *diag, int *status)
 {
   for (size_t i = 0; argc > 1 && i < ARRAY_LEN(subcommands); i++) {
     if (strcmp(argv[1], subcommands[i].name) != 0) continue;
-    Words w = {argc - 2, argv + 2, diag, false};
+    Words w = {argc - 2, argv + 2, diag, false, false};
     *status = subcommands[i].run(&w);
     return true;
   }

@@ -6,6 +6,7 @@
 
 #include <errno.h>
 #include <strings.h>
+#include <sys/stat.h>
 
 #include "out/out_int.h"
 
@@ -47,6 +48,7 @@ static const Format table[] = {
 const Format *format_at(size_t k) { return k < ARRAY_LEN(table) ? &table[k] : NULL; }
 const char *format_name(const Format *f) { return f->name; }
 const char *format_help(const Format *f) { return f->help; }
+const char *format_extensions(const Format *f) { return f->extensions; }
 bool format_writes(const Format *f) { return f->write || f->write_files; }
 bool format_reads(const Format *f) { return f->read || f->read_files; }
 
@@ -107,6 +109,11 @@ ExitCode out_write(const Mesh *m, const char *path, const char *format, const Ou
   if (!f) return EXIT_USAGE;
   if (!format_writes(f)) {
     diag_error(d, NO_LOC, "format %s can be read, not written", f->name);
+    return EXIT_USAGE;
+  }
+  struct stat st;
+  if (f->write_files && (strcmp(path, "-") == 0 || (stat(path, &st) == 0 && !S_ISREG(st.st_mode)))) {
+    diag_error(d, NO_LOC, "%s: format %s is several files and needs a name for them", path, f->name);
     return EXIT_USAGE;
   }
   OutOptions options = *o;

@@ -40,6 +40,7 @@ const Format *format_find(const char *name);
 const Format *format_of_path(const char *path);
 const char *format_name(const Format *f);
 const char *format_help(const Format *f); // one line
+const char *format_extensions(const Format *f); // separated by blanks, without the dot
 bool format_writes(const Format *f);
 bool format_reads(const Format *f);
 // The k-th row of the table, NULL after the last one.
