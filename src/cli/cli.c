@@ -126,7 +126,7 @@ static void set_algorithm(Walk *w)
     }
   }
   if (!n)
-    usage_error(w, "unknown 2D algorithm '%'; it is one of meshadapt, auto, initial2d, del2d, front2d", name,
+    usage_error(w, "unknown 2D algorithm '%'; it is one of meshadapt, auto, initial2d, del2d, front2d, delquad, pack", name,
                 "");
   else
     set_named(w, "Algorithm", n);

@@ -6,6 +6,7 @@
 
 #include "base/thread.h"
 #include "mesh/face_copy.h"
+#include "mesh/face_cross.h"
 #include "mesh/face_graph.h"
 #include "mesh/face_quads.h"
 #include "mesh/filling_mesh.h"
@@ -33,6 +34,9 @@ TriRefineParams mesh2d_refine_params(const Options *o, const Face *f, SizeInPlan
   case 3: p.algorithm = REFINE_EMPTY; break;
   case 2:
   case 5: p.algorithm = REFINE_DELAUNAY; break;
+  case 8:
+  case 11: p.algorithm = REFINE_FRONT_QUAD; break;
+  case 9: p.algorithm = REFINE_PACK; break;
   default: p.algorithm = REFINE_FRONTAL; break;
   }
   int extend = f->size_from_boundary >= 0 ? f->size_from_boundary : o->Mesh_MeshSizeExtendFromBoundary;
@@ -94,13 +98,10 @@ static double doubled_size(void *ctx, Vec2 q)
 static void warn_of_algorithm(const Face *f, const Options *o, Diag *diag)
 {
   int a = f->algorithm ? f->algorithm : o->Mesh_Algorithm;
-  const char *name = a == 7    ? "BAMG"
-                     : a == 8  ? "Frontal-Delaunay for quads"
-                     : a == 9  ? "packing of parallelograms"
-                     : a == 11 ? "quasi-structured"
-                               : NULL;
-  if (name)
-    diag_warning(diag, f->loc, "surface %d: algorithm %d (%s) is not available; Frontal-Delaunay is used", f->tag, a, name);
+  if (a == 7)
+    diag_warning(diag, f->loc, "surface %d: algorithm 7 (BAMG) is not available; Frontal-Delaunay is used", f->tag);
+  if (a == 11)
+    diag_warning(diag, f->loc, "surface %d: algorithm 11 (quasi-structured) is not available; Frontal-Delaunay for quads is used", f->tag);
 }
 
 // The sizes given at embedded points bound what their vertices carry; NULL without any. The caller frees the array.
@@ -154,8 +155,11 @@ static void mesh_plane_face(const Driver *d, size_t k, SizeEval *eval, FaceMesh 
     double *sizes = NULL, *bound = embedded_sizes(d, f, &g, eval);
     p.vertex_size = bound;
     p.sizes_out = &sizes;
+    FaceCross cross = {0};
+    face_cross_prepare(&cross, &t, &p);
     TriRefineStats s = tri_refine(&t, &p);
     free(bound);
+    face_cross_free(&cross);
     size_eval_report(eval, diag);
     if (s.outcome == REFINE_LIMIT) {
       diag_error(diag, f->loc, "surface %d would have more than %zu triangles (Mesh.MaxElements, -max_elements)", f->tag,

@@ -4,6 +4,7 @@
 
 #include "mesh/mesh2d_joint.h"
 
+#include "mesh/face_cross.h"
 #include "mesh/face_graph.h"
 #include "tri/refine.h"
 
@@ -302,7 +303,10 @@ static bool mesh_plane(Plane *p)
   r.conforming = o->Mesh_ConformingDelaunay;
   r.split = split_point;
   r.split_ctx = p;
+  FaceCross cross = {0};
+  face_cross_prepare(&cross, t, &r);
   TriRefineStats s = tri_refine(t, &r);
+  face_cross_free(&cross);
   size_eval_report(eval, p->in->diag);
   size_eval_free(eval);
   if (s.outcome == REFINE_LIMIT) {

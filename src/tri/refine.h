@@ -13,6 +13,8 @@ typedef enum {
   REFINE_EMPTY = 3,    // add no vertex (optimization may still flip)
   REFINE_DELAUNAY = 5, // circumcentres of the triangles of the largest adimensional size
   REFINE_FRONTAL = 6,  // ideal points in front of active edges
+  REFINE_FRONT_QUAD = 8, // lattices of right-angled triangles along `cross`, the largest gap first [Remacle13]
+  REFINE_PACK = 9,     // the same, spreading from the boundary in layers [Baudouin14]
 } RefineAlgorithm;
 
 // How tri_refine ended.
@@ -35,6 +37,12 @@ typedef struct {
   // Upper bound of the carried size of each initial vertex, such as the size asked for at an embedded point; NULL: none.
   // The caller owns it; as many entries as the triangulation has vertices.
   const double *vertex_size;
+
+  // REFINE_FRONT_QUAD and REFINE_PACK: angle of a cross at a point, in radians, modulo a right angle; NULL: 0. *near is a hint, NONE or what the call for a
+  // place nearby left there; cross_near gives one for each initial vertex, or is NULL.
+  double (*cross)(void *ctx, Vec2 p, uint32_t *near);
+  void *cross_ctx;
+  const uint32_t *cross_near;
 
   int smoothing;   // passes of Laplacian smoothing that never make a worst triangle worse; Mesh.Smoothing
   int optimize;    // 0 none, 1 flips and repositioning, 2 also valence repair until nothing improves

@@ -77,8 +77,24 @@ VertId refine__commit(Refiner *r, double size, double carried);
 bool refine__go_on(Refiner *r);
 
 // ---- strategies
-void refine__delaunay(Refiner *r);
+// The limit at which the efficiency index is highest.
+#define REFINE_LIMIT_SIZE 1.36
+// Refine triangles whose adimensional size, sqrt(3) R / h, is above the limit.
+void refine__delaunay(Refiner *r, double limit);
+// Square of the adimensional size of t over that of the limit; by the sizes at its corners and, where these say it is small, inside.
+double refine__excess2(const Refiner *r, double limit, TriId t);
 void refine__frontal(Refiner *r);
+void refine__front_quad(Refiner *r, bool by_age);
+
+// ---- tri_lattice.c
+// What the meshes for quads know of each vertex.
+typedef struct {
+  double *angle;   // of its cross
+  double *stretch; // length of the boundary's edges nearby over the size wanted there
+  uint32_t *near;  // hint for the callback `cross`
+} RefineCross;
+// Passes of repositioning along the crosses over the vertices from `given` on; keeps the triangulation Delaunay.
+void refine__lattice_smooth(Refiner *r, RefineCross *x, VertId given, int passes);
 // MeshAdapt: first the points, then, after refine__prepare, the sweeps. These leave isolated vertices and stale `excess`.
 void refine__saturate(Refiner *r);
 void refine__adapt(Refiner *r);

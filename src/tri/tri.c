@@ -24,6 +24,30 @@ void tri_free(Tri *m)
   tri_init(m);
 }
 
+static void *copied(const void *data, size_t bytes)
+{
+  if (!data) return NULL;
+  void *p = mem_alloc(bytes ? bytes : 1);
+  memcpy(p, data, bytes);
+  return p;
+}
+
+void tri_copy(Tri *to, const Tri *from)
+{
+  size_t nv = from->nv, nt = from->nt;
+  *to = *from;
+  to->cap_v = from->nv, to->cap_t = from->nt;
+  to->xy = copied(from->xy, 2 * nv * sizeof *to->xy);
+  to->vert = copied(from->vert, 3 * nt * sizeof *to->vert);
+  to->twin = copied(from->twin, 3 * nt * sizeof *to->twin);
+  to->flag = copied(from->flag, nt * sizeof *to->flag);
+  to->seg = copied(from->seg, 3 * nt * sizeof *to->seg);
+  to->region = copied(from->region, nt * sizeof *to->region);
+  to->hint = copied(from->hint, nv * sizeof *to->hint);
+  to->count = (PredCount){0};
+  to->walks = to->walk_steps = to->cavity_triangles = 0;
+}
+
 static void resize(void *data, size_t old, size_t n, size_t size)
 {
   void *p;

@@ -85,6 +85,7 @@ static inline EdgeId tri_cw(const Tri *m, EdgeId e) { return tri_next(m->twin[e]
 
 // ---- life -----------------------------------------------------------------------------------------------------
 void tri_init(Tri *m);  // empty; all zero but the sentinels
+void tri_copy(Tri *to, const Tri *from); // to is released with tri_free; no counts
 void tri_free(Tri *m);  // releases the arrays and leaves it as tri_init does
 // Room for so many vertices and triangle slots in all. Amortized doubling happens by itself.
 void tri_reserve(Tri *m, size_t nv, size_t nt);

@@ -5,26 +5,23 @@
 
 #include <string.h>
 
-// A triangle is refined while its adimensional size, sqrt(3) R / h [book eq. 4.19], is above this.
-#define LIMIT 1.36
-
 enum { NKEYS = 250 };
 
 typedef struct {
   Refiner *r;
+  double limit;  // a triangle is refined while its adimensional size, sqrt(3) R / h [book eq. 4.19], is above this
   uint8_t *key;  // by triangle: 1 + the stack it waits in, 0 if it does not
   uint32_t cap;
   int top;       // no stack above this one has entries
   U32Vec stack[NKEYS];
 } Queue;
 
-// Square of the adimensional size of t over that of the limit.
-static double excess2(const Refiner *r, TriId t)
+double refine__excess2(const Refiner *r, double limit, TriId t)
 {
   const Tri *m = r->m;
   const uint32_t *v = m->vert + 3 * (size_t)t;
   double area2, h = (r->size[v[0]] + r->size[v[1]] + r->size[v[2]]) / 3;
-  double x = 3 * metric_radius2(tri_xy(m, v[0]), tri_xy(m, v[1]), tri_xy(m, v[2]), &area2) / (LIMIT * LIMIT * h * h);
+  double x = 3 * metric_radius2(tri_xy(m, v[0]), tri_xy(m, v[1]), tri_xy(m, v[2]), &area2) / (limit * limit * h * h);
   if (x > 1 || !r->p->size) return x;
   double g = refine__size_inside(r, t);
   return g < h ? x * (h * h) / (g * g) : x;
@@ -38,7 +35,7 @@ static void consider(Queue *q, TriId t)
     memset(q->key + q->cap, 0, cap - q->cap);
     q->cap = cap;
   }
-  double x = excess2(q->r, t);
+  double x = refine__excess2(q->r, q->limit, t);
   q->key[t] = 0;
   if (x <= 1) return;
   int k = refine__key(x, 24, NKEYS);
@@ -94,10 +91,10 @@ static bool try_middle(Queue *q, TriId t)
   return try_point(q, p, t);
 }
 
-void refine__delaunay(Refiner *r)
+void refine__delaunay(Refiner *r, double limit)
 {
   Tri *m = r->m;
-  Queue q = {.r = r, .top = -1};
+  Queue q = {.r = r, .limit = limit, .top = -1};
   uint32_t n = m->nt;
   for (TriId t = 0; t < n; t++)
     if (tri_is_inside(m, t)) consider(&q, t);

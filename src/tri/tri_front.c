@@ -141,5 +141,5 @@ void refine__frontal(Refiner *r)
   }
   for (int k = 0; k < NKEYS; k++) vec_free(&f.stack[k]);
   // What no front reached: obtuse corners, gaps between fronts.
-  refine__delaunay(r);
+  refine__delaunay(r, REFINE_LIMIT_SIZE);
 }

@@ -231,8 +231,10 @@ TriRefineStats tri_refine(Tri *m, const TriRefineParams *p)
   switch (p->algorithm) {
   case REFINE_EMPTY: break;
   case REFINE_ADAPT: refine__saturate(&r); break;
-  case REFINE_DELAUNAY: refine__delaunay(&r); break;
+  case REFINE_DELAUNAY: refine__delaunay(&r, REFINE_LIMIT_SIZE); break;
   case REFINE_FRONTAL: refine__frontal(&r); break;
+  case REFINE_FRONT_QUAD: refine__front_quad(&r, false); break;
+  case REFINE_PACK: refine__front_quad(&r, true); break;
   }
   clear_user_bits(m);
   refine__renumber(&r, given);
@@ -242,7 +244,8 @@ TriRefineStats tri_refine(Tri *m, const TriRefineParams *p)
     refine__renumber(&r, given);
     refine__prepare(&r, given);
   }
-  if (p->algorithm != REFINE_EMPTY && stats.outcome != REFINE_CANCELLED) {
+  bool lattice = p->algorithm == REFINE_FRONT_QUAD || p->algorithm == REFINE_PACK;
+  if (p->algorithm != REFINE_EMPTY && !lattice && stats.outcome != REFINE_CANCELLED) {
     refine__smooth(&r, p->smoothing);
     size_t before = stats.collapses;
     refine__optimize(&r, p->optimize);

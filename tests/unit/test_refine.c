@@ -136,7 +136,8 @@ static void check_mesh(Tri *m, const Domain *d, double area)
 static void test_every_strategy_keeps_the_boundary(void **state)
 {
   (void)state;
-  const RefineAlgorithm algorithms[] = {REFINE_ADAPT, REFINE_EMPTY, REFINE_DELAUNAY, REFINE_FRONTAL};
+  const RefineAlgorithm algorithms[] = {REFINE_ADAPT,   REFINE_EMPTY,      REFINE_DELAUNAY,
+                                        REFINE_FRONTAL, REFINE_FRONT_QUAD, REFINE_PACK};
   for (int k = 0; k < NCASES; k++) {
     for (size_t a = 0; a < ARRAY_LEN(algorithms); a++) {
       for (int level = 0; level <= 2; level++) {
@@ -235,28 +236,83 @@ static void test_sizes_of_a_field_are_met(void **state)
 static double dot_size(void *ctx, Vec2 p)
 {
   (void)ctx;
-  return hypot(p.x - 0.51, p.y - 0.47) < 0.03 ? 0.002 : 0.1;
+  return hypot(p.x - 0.53, p.y - 0.45) < 0.03 ? 0.002 : 0.1;
 }
 
 static void test_a_small_dip_of_the_field_is_not_missed(void **state)
 {
   (void)state;
-  for (int k = 0; k < 2; k++) {
+  const RefineAlgorithm algorithms[] = {REFINE_DELAUNAY, REFINE_FRONTAL, REFINE_FRONT_QUAD, REFINE_PACK};
+  for (int k = 0; k < 4; k++) {
     Domain d;
     make_domain(&d, SQUARE, 0.1);
     Tri m;
     empty_mesh(&d, &m);
     TriRefineParams p = tri_refine_defaults();
-    p.algorithm = k ? REFINE_FRONTAL : REFINE_DELAUNAY;
+    p.algorithm = algorithms[k];
     p.size = dot_size, p.extend_from_boundary = false;
     tri_refine(&m, &p);
     check_mesh(&m, &d, 1);
     size_t near = 0;
-    for (VertId v = 0; v < m.nv; v++) near += hypot(m.xy[2 * v] - 0.51, m.xy[2 * v + 1] - 0.47) < 0.03;
-    assert_true(near > 500); // about 820 of spacing 0.002 fit
+    for (VertId v = 0; v < m.nv; v++) near += hypot(m.xy[2 * v] - 0.53, m.xy[2 * v + 1] - 0.45) < 0.03;
+    assert_true(near > 500); // about 820 of spacing 0.002 fit, 707 on a square lattice
     tri_free(&m);
     vec_free(&d.xy), vec_free(&d.ends);
   }
+}
+
+// In a square whose sides are cut in n, lattices along the axes from all sides are one: n * n cells of two triangles.
+static void test_lattices_of_a_square_are_one(void **state)
+{
+  (void)state;
+  for (int k = 0; k < 2; k++) {
+    Domain d;
+    make_domain(&d, SQUARE, 1. / 37);
+    Tri m;
+    empty_mesh(&d, &m);
+    TriRefineParams p = tri_refine_defaults();
+    p.algorithm = k ? REFINE_PACK : REFINE_FRONT_QUAD;
+    tri_refine(&m, &p);
+    check_mesh(&m, &d, 1);
+    assert_int_equal(m.nv, 38 * 38);
+    for (size_t i = 0; i < 2 * (size_t)m.nv; i++) assert_true(fabs(37 * m.xy[i] - round(37 * m.xy[i])) < 1e-9);
+    tri_free(&m);
+    vec_free(&d.xy), vec_free(&d.ends);
+  }
+}
+
+static double radial_cross(void *ctx, Vec2 p, uint32_t *near)
+{
+  *near += *near != NONE; // hints of the caller are handed on, whatever they are
+  return (void)ctx, atan2(p.y - 0.5, p.x - 0.5);
+}
+
+// Between two circles, with crosses along the radii and sizes that grow with the radius, the mesh is a polar grid.
+static void test_lattices_follow_the_crosses(void **state)
+{
+  (void)state;
+  Domain d = {.slits = SIZE_MAX};
+  int n = 60;
+  add_circle(&d, 0.5, 0.5, 0.5, 2 * M_PI * 0.5 / n * 1.0001);
+  add_circle(&d, 0.5, 0.5, 0.2, 2 * M_PI * 0.2 / n * 1.0001);
+  for (int k = 0; k < 2; k++) {
+    Tri m;
+    empty_mesh(&d, &m);
+    double area = area_inside(&m);
+    TriRefineParams p = tri_refine_defaults();
+    p.algorithm = k ? REFINE_PACK : REFINE_FRONT_QUAD;
+    p.cross = radial_cross;
+    tri_refine(&m, &p);
+    check_mesh(&m, &d, area);
+    size_t on_rays = 0;
+    for (VertId v = 0; v < m.nv; v++) {
+      double a = atan2(m.xy[2 * v + 1] - 0.5, m.xy[2 * v] - 0.5) * n / (2 * M_PI);
+      on_rays += fabs(a - round(a)) < 0.1;
+    }
+    if (on_rays < 0.9 * m.nv) fail_msg("%zu of %u vertices are on rays", on_rays, m.nv);
+    tri_free(&m);
+  }
+  vec_free(&d.xy), vec_free(&d.ends);
 }
 
 static void test_equal_runs_give_equal_arrays(void **state)
@@ -434,6 +490,8 @@ int main(void)
       cmocka_unit_test(test_quality_of_the_square),
       cmocka_unit_test(test_sizes_of_a_field_are_met),
       cmocka_unit_test(test_a_small_dip_of_the_field_is_not_missed),
+      cmocka_unit_test(test_lattices_of_a_square_are_one),
+      cmocka_unit_test(test_lattices_follow_the_crosses),
       cmocka_unit_test(test_equal_runs_give_equal_arrays),
       cmocka_unit_test(test_limits_and_cancellation),
       cmocka_unit_test(test_angles_are_guaranteed),
