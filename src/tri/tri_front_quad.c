@@ -193,8 +193,14 @@ static bool open_cavity(Lattice *l, const double *p, TriId *t)
 {
   EdgeId blocked;
   if (!isfinite(p[0]) || !isfinite(p[1])) return false;
-  *t = refine__walk(l->r->m, p, *t, &blocked);
-  return *t != NONE && refine__cavity(l->r, p, *t, true);
+  const Tri *m = l->r->m;
+  *t = refine__walk(m, p, *t, &blocked);
+  if (*t == NONE) return false;
+  for (EdgeId e = 3 * *t; e < 3 * *t + 3; e++) { // on a lattice, points often meet vertices exactly; no circle can tell then
+    const double *a = tri_xy(m, m->vert[e]);
+    if (a[0] == p[0] && a[1] == p[1]) return false;
+  }
+  return refine__cavity(l->r, p, *t, true);
 }
 
 // The mean of where the vertices around p would have it; false if that is p. The cavity of p is open.
