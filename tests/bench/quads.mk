@@ -3,7 +3,7 @@
 $(B)/bench/bench_quads: tests/bench/bench_quads.cc $(LIB)
 	@mkdir -p $(@D)
 	@echo "CXX  $<"
-	$(Q)$(CXX) -std=c++17 -O3 -Isrc -D_GNU_SOURCE -ffp-contract=off -o $@ $< $(LIB) $(LDFLAGS) $(LIBS)
+	$(Q)$(CXX) -std=c++17 -O3 -Isrc -Itests/unit -D_GNU_SOURCE -ffp-contract=off -o $@ $< $(LIB) $(LDFLAGS) $(LIBS)
 
 .PHONY: bench-quads
 ## bench-quads: matching against LEMON (N=triangles, LEMON=largest for LEMON), recombination against gmsh

@@ -2,71 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "base/base.h"
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
-#include <lemon/matching.h>
-#include <lemon/smart_graph.h>
+#include "dual_graphs.h"
 
 #include "unit.h"
 
-extern "C" {
-#include "base/rng.h"
-#include "geom/quality_quad.h"
-#include "quad/blossom.h"
-#include "quad/quad_mesh.h"
-#include "quad_meshes.h"
-}
-
 namespace {
-
-struct Graph {
-  uint32_t n = 0;
-  std::vector<uint32_t> edge;
-  std::vector<int32_t> cost;
-  void add(uint32_t u, uint32_t v, int32_t c)
-  {
-    edge.push_back(u);
-    edge.push_back(v);
-    cost.push_back(c);
-  }
-  BlossomGraph view() const { return {n, (uint32_t)cost.size(), edge.data(), cost.data()}; }
-};
-
-Graph random_graph(Rng *r, uint32_t n, uint32_t m, int32_t range)
-{
-  Graph g;
-  g.n = n;
-  for (uint32_t i = 0; i < m; i++)
-    g.add(rng_below(r, n), rng_below(r, n), (int32_t)rng_below(r, 2 * (uint32_t)range + 1) - range);
-  return g;
-}
-
-// A cycle through all vertices makes a perfect matching certain when n is even.
-void add_cycle(Graph *g, Rng *r, int32_t range)
-{
-  for (uint32_t v = 0; v < g->n; v++) g->add(v, (v + 1) % g->n, (int32_t)rng_below(r, (uint32_t)range + 1));
-}
-
-// Largest cardinality and, for it, least cost, over sets of vertices.
-void brute(const Graph &g, uint32_t *matched, int64_t *cost)
-{
-  const int64_t no = INT64_MAX;
-  std::vector<int64_t> best((size_t)1 << g.n, no);
-  best[0] = 0;
-  *matched = 0, *cost = 0;
-  for (size_t set = 0; set < best.size(); set++) {
-    if (best[set] == no) continue;
-    uint32_t k = (uint32_t)__builtin_popcountll(set);
-    if (k > *matched || (k == *matched && best[set] < *cost)) *matched = k, *cost = best[set];
-    for (size_t e = 0; e < g.cost.size(); e++) {
-      size_t bits = ((size_t)1 << g.edge[2 * e]) | ((size_t)1 << g.edge[2 * e + 1]);
-      if (g.edge[2 * e] == g.edge[2 * e + 1] || (set & bits)) continue;
-      best[set | bits] = std::min(best[set | bits], best[set] + g.cost[e]);
-    }
-  }
-}
 
 void expect_certified(const Graph &g, const BlossomResult *r)
 {
@@ -96,19 +36,6 @@ void test_brute_force(void **)
   }
 }
 
-int64_t lemon_cost(const Graph &g)
-{
-  lemon::SmartGraph lg;
-  std::vector<lemon::SmartGraph::Node> node;
-  for (uint32_t i = 0; i < g.n; i++) node.push_back(lg.addNode());
-  lemon::SmartGraph::EdgeMap<int64_t> weight(lg);
-  for (size_t e = 0; e < g.cost.size(); e++)
-    if (g.edge[2 * e] != g.edge[2 * e + 1])
-      weight[lg.addEdge(node[g.edge[2 * e]], node[g.edge[2 * e + 1]])] = -(int64_t)g.cost[e];
-  lemon::MaxWeightedPerfectMatching<lemon::SmartGraph, lemon::SmartGraph::EdgeMap<int64_t>> solver(lg, weight);
-  return solver.run() ? -solver.matchingWeight() : INT64_MIN;
-}
-
 void expect_lemon(const Graph &g)
 {
   BlossomGraph v = g.view();
@@ -130,37 +57,6 @@ void test_random_against_lemon(void **)
     add_cycle(&g, &rng, range);
     expect_lemon(g);
   }
-}
-
-// The dual graph of a lattice of triangles, with costs as recombination has them and extra edges along the boundary.
-Graph mesh_graph(uint32_t rows, double jitter, double grade, uint64_t seed)
-{
-  LatticeMesh lm = lattice_mesh(rows, jitter, grade, seed);
-  QuadMesh m;
-  quad_mesh_init(&m, lm.xy.data, NULL, lm.xy.len / 2, lm.tri.data, lm.tri.len / 3, NULL, 0);
-  uint32_t *twin = quad_mesh_twins(&m);
-  const uint32_t *v = m.vertex.data;
-  const Vec2 *p = m.xy.data;
-  Graph g;
-  g.n = (uint32_t)quad_mesh_elements(&m);
-  uint32_t last = NONE;
-  for (uint32_t s = 0; s < m.vertex.len; s++) {
-    uint32_t t = twin[s], e = s / 4, f = t / 4;
-    if (s % 4 == 3) continue;
-    if (t == NONE) {
-      if (last != NONE && last != e) g.add(last, e, 1000000);
-      last = e;
-      continue;
-    }
-    if (t < s) continue;
-    double eta = quad_eta(p[v[s]], p[v[4 * f + (t % 4 + 2) % 3]], p[v[4 * e + (s % 4 + 1) % 3]], p[v[4 * e + (s % 4 + 2) % 3]]);
-    g.add(e, f, (int32_t)std::lround(10000 * (1 - eta)));
-  }
-  free(twin);
-  quad_mesh_free(&m);
-  lattice_free(&lm);
-  if (g.n % 2) g.add(0, g.n++, 0);
-  return g;
 }
 
 void test_meshes_against_lemon(void **)
