@@ -109,21 +109,24 @@ static void init(Blossom *b, const BlossomGraph *g)
   }
 }
 
-// Vertices in order of a breadth-first search.
+static void reach(uint32_t *order, uint8_t *seen, uint32_t *len, uint32_t v)
+{
+  if (seen[v]) return;
+  seen[v] = 1;
+  order[(*len)++] = v;
+}
+
+// Vertices in order of a breadth-first search from those that have not three edges: the boundary triangles of a mesh.
 static uint32_t *wave_order(const Blossom *b)
 {
   uint32_t *order = mem_alloc(((size_t)b->n + 1) * sizeof *order), len = 0;
   uint8_t *seen = mem_zalloc((size_t)b->n + 1);
-  for (uint32_t s = 0; s < b->n; s++) {
-    if (seen[s]) continue;
-    seen[s] = 1;
-    order[len++] = s;
-    for (uint32_t i = len - 1; i < len; i++)
-      for (uint32_t a = b->v[order[i]].start; a < b->v[order[i] + 1].start; a++) {
-        uint32_t w = b->arc[a].head;
-        if (!seen[w]) order[len++] = w;
-        seen[w] = 1;
-      }
+  for (uint32_t s = 0; s < b->n; s++)
+    if (b->v[s + 1].start - b->v[s].start != 3) reach(order, seen, &len, s);
+  for (uint32_t s = 0, i = 0; s < b->n; s++) {
+    if (i == len) reach(order, seen, &len, s);
+    for (; i < len; i++)
+      for (uint32_t a = b->v[order[i]].start; a < b->v[order[i] + 1].start; a++) reach(order, seen, &len, b->arc[a].head);
   }
   free(seen);
   return order;
