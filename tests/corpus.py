@@ -171,6 +171,71 @@ def run_one(job):
         shutil.rmtree(scratch, ignore_errors=True)
 
 
+KEEPS = re.compile(r"warning: surface (\d+) keeps (\d+) triangles?: (.*)")
+
+
+def recombine_one(job):
+    """One file with every face recombined by one method: finished, audited, and no triangle that was not announced as unavoidable."""
+    path, opt, algorithm, method = job
+    name = os.path.basename(path)
+    row = {"file": name, "algorithm": algorithm, "method": method, "state": "-", "quads": 0, "triangles": 0, "seconds": 0.0, "note": "", "pass": False}
+    scratch = tempfile.mkdtemp(prefix="meshgen-corpus.")
+    try:
+        folder = os.path.dirname(os.path.abspath(path))
+        for f in os.listdir(folder):
+            if f != name:
+                os.symlink(os.path.join(folder, f), os.path.join(scratch, f))
+        shutil.copy(path, os.path.join(scratch, name))
+        prog = os.environ.get("MESHGEN", os.path.join(ROOT, "build/release/meshgen"))
+        args = [prog, "-2", "-v", "2", name, "-o", "out.msh2", "-format", "msh2", "-no_report"]
+        for key, value in (("Algorithm", algorithm), ("RecombineAll", 1), ("RecombinationAlgorithm", method)):
+            args += ["-setnumber", "Mesh." + key, str(value)]
+        t = time.time()
+        p = subprocess.run(args + opt.args.split(), cwd=scratch, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, timeout=opt.timeout)
+        row["seconds"] = time.time() - t
+        err = p.stderr.decode("latin-1")
+        msh = os.path.join(scratch, "out.msh2")
+        if p.returncode != 0:
+            row["state"], row["note"] = "exit %d" % p.returncode, next((l for l in err.splitlines() if "error" in l or "abort" in l.lower()), "")[:120]
+        elif not os.path.exists(msh):
+            row["state"], row["pass"], row["note"] = "no mesh", True, "the script ended the program"
+        else:
+            if subprocess.run([prog, "check", msh], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE).returncode != 0:
+                row["state"] = "audit"
+                return row
+            mine = summarize(msh)
+            row["quads"], row["triangles"], row["state"] = mine["quads"], mine["triangles"], "ok"
+            kept = KEEPS.findall(err)
+            odd = all(int(n) == 1 and "odd" in why for _, n, why in kept)
+            refuses = re.search(r"^\s*Mesh\.RecombineAll\s*=\s*0", open(path, encoding="latin-1").read(), re.M) and not mine["quads"]
+            row["pass"] = bool(refuses) or method == 0 or (odd and mine["triangles"] <= len(kept))
+            if method and mine["triangles"]:
+                row["note"] = "; ".join("surface %s: %s, %s" % k for k in kept)[:110] or ("the script asks for triangles" if refuses else "triangles without a word")
+    except subprocess.TimeoutExpired:
+        row["state"] = "timeout"
+    except Exception as e:
+        row["state"], row["note"] = "harness", repr(e)
+    finally:
+        shutil.rmtree(scratch, ignore_errors=True)
+    return row
+
+
+def recombine(files, opt):
+    methods = [0, 1, 2, 3] if opt.recombine == "all" else [int(w) for w in opt.recombine.split(",")]
+    jobs = [(os.path.join(opt.folder, f), opt, a, m) for f in files for a in map(int, opt.algorithms.split(",")) for m in methods]
+    with concurrent.futures.ThreadPoolExecutor(opt.jobs) as ex:
+        rows = list(ex.map(recombine_one, jobs))
+    print("%-52s %4s %4s %-8s %9s %9s %8s  %s" % ("file", "alg", "rec", "state", "quads", "triangles", "seconds", "note"))
+    for r in rows:
+        mark = "" if r["pass"] else "NOT GOOD: "
+        print("%-52s %4d %4d %-8s %9d %9d %8.2f  %s%s" % (r["file"][:52], r["algorithm"], r["method"], r["state"], r["quads"], r["triangles"], r["seconds"], mark, r["note"]))
+    good = sum(1 for r in rows if r["pass"])
+    print("%d quadrangles, %d triangles; with methods 1 to 3 %d triangles, each in a face whose boundary is fixed odd unless listed as not good"
+          % (sum(r["quads"] for r in rows), sum(r["triangles"] for r in rows), sum(r["triangles"] for r in rows if r["method"])))
+    print("%d passed, %d failed" % (good, len(rows) - good))
+    return 0 if good == len(rows) and rows else 1
+
+
 def main():
     ap = argparse.ArgumentParser()
     ap.add_argument("folder")
@@ -182,6 +247,8 @@ def main():
     ap.add_argument("--all-names", action="store_true", help="also files that the reference does not list")
     ap.add_argument("--bad", action="store_true")
     ap.add_argument("--floor", type=int, help="good files that there must be; then only those missing from it count as failed")
+    ap.add_argument("--recombine", nargs="?", const="all", metavar="METHODS", help="every face recombined; methods as 0,1,2,3")
+    ap.add_argument("--algorithms", default="6", help="with --recombine: 2D algorithms as 6,8")
     opt = ap.parse_args()
     opt.ref = {}
     for r in opt.reference:
@@ -192,6 +259,8 @@ def main():
     files = sorted(f for f in os.listdir(opt.folder) if f.endswith(".geo") and opt.only in f)
     if opt.ref and not opt.all_names:  # the rest are fragments that others include
         files = [f for f in files if f in opt.ref]
+    if opt.recombine:
+        return recombine(files, opt)
     jobs = [(os.path.join(opt.folder, f), opt) for f in files]
     with concurrent.futures.ThreadPoolExecutor(opt.jobs) as ex:
         rows = list(ex.map(run_one, jobs))

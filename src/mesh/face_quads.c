@@ -23,6 +23,15 @@ bool face_is_split(const Model *m, const Face *f, const Mesh1d *curves, const Op
   return even;
 }
 
+double face_quads_size_factor(const Face *f, const Options *o, bool coarse)
+{
+  int a = f->algorithm ? f->algorithm : o->Mesh_Algorithm, r = o->Mesh_RecombinationAlgorithm;
+  if (!face_is_recombined(f, o)) return 1;
+  // The algorithms made for quadrangles make triangles that are halves of squares; greedy recombination leaves triangles.
+  double shape = a == 8 || a == 9 || r == QUAD_GREEDY || r == QUAD_SPLIT ? 1 : sqrt(2 / sqrt(3));
+  return coarse ? 2 * shape : shape;
+}
+
 // ---- in -----------------------------------------------------------------------------------------------------------------
 typedef struct {
   const Tri *tri;

@@ -13,6 +13,10 @@ bool face_is_recombined(const Face *f, const Options *o);
 // made of every second node (FaceGraph.coarse), and the mesh is of double size until every element is split.
 bool face_is_split(const Model *m, const Face *f, const Mesh1d *curves, const Options *o);
 
+// Size of the triangles over the wanted size of the quadrangles. Two equilateral triangles of side H make a rhombus with the
+// area of a square of side sqrt(sqrt(3)/2) H, which smoothing turns it into; splitting every element halves that.
+double face_quads_size_factor(const Face *f, const Options *o, bool coarse);
+
 // What extract is for triangles: the triangles of t that are inside, recombined, appended to out. g is the graph that t was made from,
 // base the number of nodes of points and curves, size the wanted edge length at each vertex of t. Warns where triangles remain
 // although quadrangles only were asked for.

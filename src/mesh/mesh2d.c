@@ -82,16 +82,17 @@ static void extract(const Tri *t, const FaceGraph *g, const Driver *d, const Fac
   free(id);
 }
 
-// Sizes of a mesh whose every element is going to be split.
+// Sizes of the triangles that quadrangles are made of.
 typedef struct {
   SizeAt size;
   void *ctx;
-} Doubled;
+  double factor;
+} Scaled;
 
-static double doubled_size(void *ctx, Vec2 q)
+static double scaled_size(void *ctx, Vec2 q)
 {
-  const Doubled *d = ctx;
-  return 2 * d->size(d->ctx, q);
+  const Scaled *d = ctx;
+  return d->factor * d->size(d->ctx, q);
 }
 
 // Algorithms that are not there yet are replaced, and said so.
@@ -147,10 +148,10 @@ static void mesh_plane_face(const Driver *d, size_t k, SizeEval *eval, FaceMesh 
       p.size = filling_size;
       p.size_ctx = &map;
     }
-    Doubled doubled = {p.size, p.size_ctx};
-    if (g.coarse) {
-      p.size = doubled_size;
-      p.size_ctx = &doubled;
+    Scaled scaled = {p.size, p.size_ctx, face_quads_size_factor(f, d->in->options, g.coarse)};
+    if (scaled.factor != 1) {
+      p.size = scaled_size;
+      p.size_ctx = &scaled;
     }
     double *sizes = NULL, *bound = embedded_sizes(d, f, &g, eval);
     p.vertex_size = bound;
@@ -166,6 +167,7 @@ static void mesh_plane_face(const Driver *d, size_t k, SizeEval *eval, FaceMesh 
                  p.max_triangles);
       out->failed = true;
     } else if (face_is_recombined(f, d->in->options)) {
+      for (size_t v = 0; v < t.nv; v++) sizes[v] /= scaled.factor;
       face_quads(&t, &g, &map, d->in->options, (uint32_t)d->nodes->n, sizes, out, diag);
     } else {
       extract(&t, &g, d, &map, sizes, out);
