@@ -244,6 +244,18 @@ static bool knots_are_right(int tag, const double *knot, size_t n, SrcLoc loc, D
   return true;
 }
 
+// An arc that is none is an error where it is written, also if it is deleted later; warnings can wait for the mesher.
+static bool arc_is_good(Model *m, Curve *c, Diag *diag)
+{
+  if (c->type != CURVE_CIRCLE && c->type != CURVE_ELLIPSE) return true;
+  Diag *quiet = diag_child(diag);
+  bool good = curve__build(m, c, quiet);
+  diag_free(quiet);
+  if (!good) curve__build(m, c, diag);
+  curve__release(c);
+  return good;
+}
+
 int model_add_curve(Model *m, CurveType type, int tag, const int *point, size_t npoint, const Vec3 *plane,
                     const double *knot, size_t nknot, SrcLoc loc, Diag *diag)
 {
@@ -270,6 +282,10 @@ int model_add_curve(Model *m, CurveType type, int tag, const int *point, size_t 
   if (nknot) {
     c->knot = arena_dup(&m->arena, knot, nknot * sizeof *knot);
     c->nknot = (int)nknot;
+  }
+  if (!arc_is_good(m, c, diag)) {
+    curve__drop(m, tag);
+    return refuse(m, KIND_CURVE, tag);
   }
   if (type == CURVE_LINE && point[0] == point[1])
     diag_warning(diag, loc, "Line %d begins and ends at the same point %d: it has no length", tag, point[0]);

@@ -229,6 +229,22 @@ static void keep_existing(const Model *m, int dim, IntVec *list)
   list->len = n;
 }
 
+// A curve of the face's own boundary is no embedded one.
+static void drop_boundary(const Model *m, Face *f)
+{
+  IntVec curve = {0}, start = {0};
+  if (f->embedded_curves.len) face_boundary(m, f, &curve, &start);
+  size_t n = 0;
+  for (size_t i = 0; i < f->embedded_curves.len; i++) {
+    bool bounds = false;
+    for (size_t k = 0; k < curve.len && !bounds; k++) bounds = tag__abs(curve.data[k]) == f->embedded_curves.data[i];
+    if (!bounds) f->embedded_curves.data[n++] = f->embedded_curves.data[i];
+  }
+  f->embedded_curves.len = n;
+  vec_free(&curve);
+  vec_free(&start);
+}
+
 static bool loops_are_sorted(const Model *m, const Face *f)
 {
   for (int k = 0; k < f->nloop; k++) {
@@ -254,6 +270,7 @@ static bool prepare_faces(Model *m, double tolerance, Diag *diag)
     if (m->nembedded) {
       keep_existing(m, 0, &f->embedded_points);
       keep_existing(m, 1, &f->embedded_curves);
+      drop_boundary(m, f);
     }
     if (f->periodic_master && !model_face(m, f->periodic_master)) f->periodic_master = 0;
   }

@@ -62,6 +62,14 @@ check "the nodes face one another" awk '
     /^\$Elements/ { on = 1 } on && $2 == 1 && $5 == 2 { r[y[$6]] } on && $2 == 1 && $5 == 4 { l[y[$6]]; l[y[$7]] }
     END { for (v in r) if (!(v in l)) exit 1 }' a.msh
 
+# ---- embedded curves that are on the boundary already ----
+name="a boundary curve embedded"
+mesh "$points $lines Line(5)={1,3}; Curve Loop(1)={1,2,-5}; Curve Loop(2)={5,3,4}; Plane Surface(1)={1}; Plane Surface(2)={2};
+Curve{5} In Surface{1}; Curve{3,5} In Surface{2};"
+want=1
+name="of another surface it lies outside"
+mesh "$points $lines Line(5)={1,3}; Curve Loop(1)={1,2,-5}; Plane Surface(1)={1}; Curve{4} In Surface{1};"
+
 # ---- commands on meshes ----
 name="commands on a mesh that is not there yet"
 mesh "$square RefineMesh; RecombineMesh; SetOrder 2; Save 'b.msh';"

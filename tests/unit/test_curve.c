@@ -308,8 +308,9 @@ static void arcs_that_are_none(void **state)
   for (size_t i = 0; i < ARRAY_LEN(bad); i++) {
     Fix f = {model_new(), diag_new(false)};
     for (int k = 0; k < 4; k++) model_add_point(f.m, k + 1, bad[i].p[k], 0, NO_LOC, f.d);
-    add(&f, bad[i].type, 1, (int[]){1, 2, 3, 4}, bad[i].type == CURVE_CIRCLE ? 3 : 4);
-    assert_false(model_prepare(f.m, 1e-8, f.d));
+    size_t n = bad[i].type == CURVE_CIRCLE ? 3 : 4;
+    assert_int_equal(model_add_curve(f.m, bad[i].type, 1, (int[]){1, 2, 3, 4}, n, NULL, NULL, 0, NO_LOC, f.d), -1);
+    assert_int_equal(model_curves(f.m), 0);
     assert_non_null(strstr(diag_get(f.d, 0)->text, bad[i].why));
     teardown(&f);
   }

@@ -30,3 +30,7 @@ Printf("%g %g", newl, newc);                     // expect: 100 100
 Curve(newc) = {1, 4};
 Printf("%g", newl);                              // expect: 101
 Wire(1) = {1, 2};                                // expect error: Wire needs the OpenCASCADE kernel
+// An arc that is none is told where it is written, also when it is deleted later.
+Point(901) = {0,0,0}; Point(902) = {1,0,0}; Point(903) = {0,2,0};
+Circle(901) = {902, 901, 903};                   // expect error: the ends of circle arc 901 are not on one circle
+Delete { Curve{901}; }
