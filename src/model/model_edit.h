@@ -94,6 +94,19 @@ bool model_duplicate(Model *m, const Shape *shape, size_t n, ShapeVec *out, SrcL
 // Merge equal points, curves, faces; the lowest tag survives, also in groups. O(n log n).
 void model_coherence(Model *m, Diag *diag);
 
+// ---- Boolean operations on plane faces -----------------------------------------------------------------------------------
+typedef enum { BOOLEAN_UNION, BOOLEAN_INTERSECTION, BOOLEAN_DIFFERENCE, BOOLEAN_FRAGMENTS } BooleanOp;
+typedef struct {
+  const Shape *shape; // faces of one plane; for fragments curves in it too
+  size_t n;
+  bool drop;          // Delete: the shapes go, with what of their boundaries nothing else uses
+} BooleanSide;
+// Append the faces of the result (and, of curves among the shapes, their pieces). An input that comes out as one face keeps its tag
+// when it is dropped; tag: that of the first new face, or -1. Curves and points are shared by neighbours; those that are whole stay,
+// with their tags. Lines and arcs are cut; splines must not be. Errors leave the model as it was.
+bool model_boolean(Model *m, BooleanOp op, const BooleanSide *object, const BooleanSide *tool, int tag, ShapeVec *out, SrcLoc loc,
+                   Diag *diag);
+
 // ---- extrusion -----------------------------------------------------------------------------------------------------------
 typedef struct {
   bool translate, rotate; // both: a screw; neither: along the normals (boundary layer), which is refused

@@ -39,6 +39,7 @@ static bool has_word(const Node *n)
   case NODE_CONSTANT:
   case NODE_TRANSFORM:
   case NODE_BOUNDARY:
+  case NODE_BOOLEAN:
   case NODE_DEFINE:
   case NODE_EMBED:
   case NODE_TRANSFINITE:

@@ -42,10 +42,11 @@
   X(EXTRUDE)     /* op = 1 translation, 2 rotation, 3 both, 0 layer: [t] [axis] [point] [angle] SHAPES [LAYERS] [recombine] */ \
   X(LAYERS)      /* counts [heights] */                                                         \
   X(BOUNDARY)    /* word = Boundary, CombinedBoundary, ..., PointsOf: SHAPES */                 \
+  X(BOOLEAN)     /* word = BooleanUnion ...; op = 1 drop objects, 2 tools: [tag] SHAPES SHAPES */ \
   X(SPLIT)       /* Split Curve c Point {p}: c points */                                        \
   /* statements */                                                                              \
   X(ASSIGN)      /* op = token of =, +=, ..., ++: target [value] */                             \
-  X(VALUE)       /* a command as statement: TRANSFORM EXTRUDE BOUNDARY SPLIT */                 \
+  X(VALUE)       /* a command as statement: TRANSFORM EXTRUDE BOUNDARY BOOLEAN SPLIT */            \
   X(DEFINE)      /* entity; word = its kind: tag value [a] [b] */                               \
   X(PHYSICAL)    /* op = dimension, flags = token of =, += or -= less 256: [name] [tag] list */ \
   X(EMBED)       /* op = dimension: list faces; word = where */                                 \

@@ -384,6 +384,7 @@ void eval_list(Script *s, const Node *n, DoubleVec *out)
   case NODE_TRANSFORM:
   case NODE_EXTRUDE:
   case NODE_BOUNDARY:
+  case NODE_BOOLEAN:
   case NODE_SPLIT:
   case NODE_UNSUPPORTED: command_list(s, n, out); return;
   case NODE_ALL: script__error(s, n->loc, "{:} stands for all entities and has no meaning here"); return;

@@ -105,7 +105,8 @@ bool eval_is_text(Script *s, const Node *n);
 const char *eval_text(Script *s, const Node *n); // in s->temp, or elsewhere until the statement ends
 void eval_texts(Script *s, const Node *n, TextVec *out);
 void eval_shapes(Script *s, const Node *shapes, ShapeVec *out);
-void eval_command(Script *s, const Node *command, ShapeVec *out); // TRANSFORM EXTRUDE BOUNDARY SPLIT
+void eval_command(Script *s, const Node *command, ShapeVec *out); // TRANSFORM EXTRUDE BOUNDARY BOOLEAN SPLIT
+bool eval_tag(Script *s, const Node *n, int *tag); // false, reported, unless it is one
 double call_number(Script *s, const Node *n);
 void call_list(Script *s, const Node *n, DoubleVec *out);
 const char *call_text(Script *s, const Node *n);

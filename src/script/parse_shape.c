@@ -54,6 +54,7 @@ static Node *parse_layers(Parser *p)
 
 typedef struct {
   Node *layers, *recombine;
+  bool *drop; // of a Boolean operation: Delete; may be said, and nothing else
 } ExtrudeParameters;
 
 // parameter -> layers | "Recombine" [number] ";" | "Using" NAME "[" number "]" ";" | "ScaleLastLayer" ";"
@@ -63,6 +64,12 @@ static bool parse_extrude_parameter(Parser *p, ExtrudeParameters *out)
 {
   if (p->tok.kind != TOK_WORD) return false;
   Token t = p->tok;
+  if (out->drop) {
+    if (!parse__accept_word(p, KW_Delete)) return false;
+    *out->drop = true;
+    parse__semicolon(p);
+    return true;
+  }
   switch (t.word) {
   case KW_Layers: out->layers = parse_layers(p); return true;
   case KW_Recombine:
@@ -99,7 +106,7 @@ static bool parse_extrude_parameter(Parser *p, ExtrudeParameters *out)
 
 // shapes -> "{" [shape]... "}"
 // shape -> ["Physical"] entity list ";" | entity "In" "BoundingBox" "{" items "}" ";" | transform | extrude
-//         | boundary
+//         | boundary | boolean
 static Node *parse_shapes(Parser *p, ExtrudeParameters *parameters)
 {
   Token open = parse__expect(p, '{', "'{' and a list of shapes such as Surface{1};");
@@ -212,7 +219,7 @@ static Node *parse_extrude(Parser *p)
 {
   Token begin = parse__advance(p);
   Node *kid[7] = {NULL};
-  ExtrudeParameters parameters = {NULL, NULL};
+  ExtrudeParameters parameters = {.drop = NULL};
   int op = 0;
   if (parse__dimension(p) >= 0) {
     kid[4] = parse_old_extrude(p, begin, kid, &op);
@@ -272,6 +279,32 @@ static Node *parse_split(Parser *p)
   return as_list(parse__node2(p, NODE_SPLIT, begin.loc, curve, points));
 }
 
+// boolean -> ("BooleanUnion" | "BooleanIntersection" | "BooleanDifference" | "BooleanFragments")
+//            ["(" tag ")" "="] operands operands
+// operands -> "{" (shape | "Delete" ";")... "}"
+static Node *parse_boolean(Parser *p)
+{
+  Token t = parse__advance(p);
+  bool drop[2] = {false, false};
+  size_t base = p->stack.len;
+  Node *tag = NULL;
+  if (parse__at(p, '(')) {
+    tag = parse__tag(p);
+    parse__expect(p, '=', "'='");
+  }
+  vec_push(&p->stack, tag);
+  for (int i = 0; i < 2; i++) {
+    ExtrudeParameters parameters = {.drop = &drop[i]};
+    Node *shapes = parse_shapes(p, &parameters);
+    vec_push(&p->stack, shapes);
+  }
+  if (tag) parse__semicolon(p);
+  Node *n = parse__collect(p, NODE_BOOLEAN, t.loc, base);
+  n->word = t.word;
+  n->op = (uint16_t)((drop[0] ? 1 : 0) | (drop[1] ? 2 : 0));
+  return as_list(n);
+}
+
 // boundary -> ("Boundary" | "CombinedBoundary" | "OrientedBoundary" | "OrientedCombinedBoundary"
 //            | "PointsOf") shapes
 Node *parse__command(Parser *p)
@@ -303,7 +336,7 @@ Node *parse__command(Parser *p)
   case KW_BooleanUnion:
   case KW_BooleanIntersection:
   case KW_BooleanDifference:
-  case KW_BooleanFragments:
+  case KW_BooleanFragments: return parse_boolean(p);
   case KW_BooleanSection:
   case KW_ThruSections:
   case KW_Fillet:

@@ -163,6 +163,7 @@ static Node *parse_value_statement(Parser *p)
     parse__advance(p);
     parse__expected(p, "'{' and a list of shapes");
   }
+  if (command->kind == NODE_BOOLEAN && command->kid[0]) return parse__node1(p, NODE_VALUE, loc, command); // a definition
   if (command->kind == NODE_SPLIT || command->kind == NODE_UNSUPPORTED)
     parse__accept(p, ';');
   else
@@ -389,7 +390,7 @@ static Node *parse_merge_mark(Parser *p)
 // statement -> definition | physical | embed | compound | transfinite | mesh_set | mesh_size | periodic
 //             | delete | visibility | coherence | field | background | view | plugin | define_constant
 //             | print | command | macro_call | set_max_tag | assignment | transform | extrude | boundary
-//             | split ";" | for | if | macro | "Return"
+//             | boolean | split ";" | for | if | macro | "Return"
 Node *parse__statement(Parser *p)
 {
   Token t = p->tok;

@@ -376,7 +376,7 @@ static Node *parse_word(Parser *p)
 }
 
 // primary -> NUMBER | STRING | CONSTANT | variable | call | length | entities | transform | extrude
-//           | boundary | split | parameter_value | "(" expr ")" | "{" items "}" | vector
+//           | boundary | boolean | split | parameter_value | "(" expr ")" | "{" items "}" | vector
 Node *parse__primary(Parser *p)
 {
   Token t = p->tok;

@@ -12,7 +12,7 @@ static Diag *sink(Script *s, int faults, Diag **quiet)
   return *quiet ? *quiet : s->diag;
 }
 
-static bool eval_tag(Script *s, const Node *n, int *tag)
+bool eval_tag(Script *s, const Node *n, int *tag)
 {
   int faults = s->faults;
   *tag = eval_int(s, n);
@@ -95,6 +95,12 @@ static void define_curve(Script *s, const Node *n, int tag)
   vec_free(&knots);
 }
 
+static bool fills_plane(Model *m, int loop)
+{
+  const Loop *l = model_loop(m, loop);
+  return model_settings(m)->opencascade && l && l->ncurve != 3 && l->ncurve != 4;
+}
+
 static void define_surface(Script *s, const Node *n, int tag)
 {
   int faults = s->faults;
@@ -114,8 +120,8 @@ static void define_surface(Script *s, const Node *n, int tag)
     if (n->n > 2 && !model_has_polar_sphere(s->model))
       diag_warning(s->diag, n->loc, "'In Sphere' is not supported: surface %d is filled between its curves",
                    tag);
-    // with holes it can only be plane
-    model_add_face(s->model, tags.len > 1 ? FACE_PLANE : FACE_FILLING, tag, tags.data, tags.len, n->loc,
+    // with holes it can only be plane; OpenCASCADE fills any loop
+    model_add_face(s->model, tags.len > 1 || (tags.len && fills_plane(s->model, tags.data[0])) ? FACE_PLANE : FACE_FILLING, tag, tags.data, tags.len, n->loc,
                    diag);
     break;
   case KW_Volume:

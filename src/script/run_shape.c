@@ -205,12 +205,44 @@ static void split(Script *s, const Node *n, ShapeVec *out)
   vec_free(&made);
 }
 
+static BooleanOp boolean_op(uint32_t word)
+{
+  switch (word) {
+  case KW_BooleanUnion: return BOOLEAN_UNION;
+  case KW_BooleanIntersection: return BOOLEAN_INTERSECTION;
+  case KW_BooleanDifference: return BOOLEAN_DIFFERENCE;
+  case KW_BooleanFragments: return BOOLEAN_FRAGMENTS;
+  default: UNREACHABLE();
+  }
+}
+
+static void boolean(Script *s, const Node *n, ShapeVec *out)
+{
+  if (!model_settings(s->model)->opencascade) {
+    script__error(s, n->loc, "%s needs SetFactory(\"OpenCASCADE\"); first", words_text(&s->words, n->word));
+    return;
+  }
+  int faults = s->faults, tag = -1;
+  if (n->kid[0] && !eval_tag(s, n->kid[0], &tag)) return;
+  ShapeVec object = {0}, tool = {0};
+  eval_shapes(s, n->kid[1], &object);
+  eval_shapes(s, n->kid[2], &tool);
+  uint64_t work = (object.len + tool.len) * (object.len + tool.len);
+  if (s->faults == faults && script__charge(s, work + COST_ENTITY * (object.len + tool.len), n->loc)) {
+    BooleanSide a = {object.data, object.len, n->op & 1}, b = {tool.data, tool.len, n->op & 2};
+    if (!model_boolean(s->model, boolean_op(n->word), &a, &b, tag, out, n->loc, s->diag)) s->faults++;
+  }
+  vec_free(&object);
+  vec_free(&tool);
+}
+
 void eval_command(Script *s, const Node *n, ShapeVec *out)
 {
   switch ((NodeKind)n->kind) {
   case NODE_TRANSFORM: transform(s, n, out); return;
   case NODE_EXTRUDE: extrude(s, n, out); return;
   case NODE_BOUNDARY: boundary(s, n, out); return;
+  case NODE_BOOLEAN: boolean(s, n, out); return;
   case NODE_SPLIT: split(s, n, out); return;
   case NODE_UNSUPPORTED: script__error(s, n->loc, "%s", n->text); return;
   default: UNREACHABLE();

@@ -109,3 +109,34 @@ name="sizes of fields are those of space"
 mesh "$polar Field[1]=Distance; Field[1].PointsList={2}; Field[2]=Threshold; Field[2].InField=1; Field[2].DistMin=0; Field[2].DistMax=3;
 Field[2].SizeMin=.05; Field[2].SizeMax=.3; Background Field=2; Mesh.MeshSizeFromPoints=0; Mesh.MeshSizeExtendFromBoundary=0;"
 triangles 150 500
+
+# ---- Boolean operations on plane faces ----
+occ='SetFactory("OpenCASCADE");'
+name="a plate with holes, one across its edge"
+mesh "$occ Rectangle(1)={0,0,0,4,2}; Disk(2)={1,1,0,.5}; Disk(3)={4,1,0,.5}; MeshSize{:}=.05;
+BooleanDifference(10)={Surface{1};Delete;}{Surface{2,3};Delete;}; Mesh.MeshSizeMax=.03; Physical Surface('plate')={10}; Physical Curve('rim')=Boundary{Surface{10};};"
+area 6.8219 4e-3 # 8 - 3/2 pi/4
+name="fragments: neighbours share their nodes"
+mesh "$occ Disk(1)={0,0,0,1}; Disk(2)={1,0,0,1}; Disk(3)={.5,.8,0,1}; Mesh.MeshSizeMax=.05;
+f()=BooleanFragments{Surface{1};Delete;}{Surface{2,3};Delete;}; Physical Surface(1)={f()};"
+check "seven faces" [ "$(awk '/^\$Elements/ { on = 1 } on && $2 == 2 && !($5 in f) { f[$5]; n++ } END { print n }' a.msh)" = 7 ]
+check "no boundary inside: every edge within has two triangles" awk '
+    /^\$Nodes/ { getline; for (n = $1; n > 0; n--) { getline; x[$1] = $2; y[$1] = $3 } }
+    /^\$Elements/ { on = 1 }
+    on && $2 == 2 { for (i = 0; i < 3; i++) { a = $(NF - i); b = $(NF - (i + 1) % 3); e[a < b ? a " " b : b " " a]++ } }
+    END { for (k in e) if (e[k] == 1) { split(k, v, " "); px = (x[v[1]] + x[v[2]]) / 2; py = (y[v[1]] + y[v[2]]) / 2
+        if (px ^ 2 + py ^ 2 < .99 || (px - 1) ^ 2 + py ^ 2 < .99 || (px - .5) ^ 2 + (py - .8) ^ 2 < .99) bad++ } exit bad > 0 }' a.msh
+name="a union"
+mesh "$occ Rectangle(1)={0,0,0,4,2}; Disk(2)={4,1,0,1}; Rectangle(3)={1,1,0,1,3}; BooleanUnion(10)={Surface{1};Delete;}{Surface{2,3};Delete;}; Mesh.MeshSizeMax=.05;"
+area 11.5708 4e-3 # 8 + pi/2 + 2
+name="a disk cut by lines, some of which end inside"
+mesh "$occ Point(1)={0,0,0};Point(2)={12,0,0};Point(3)={-60,0,0};Point(4)={10,-5,0}; Line(1)={3,1};Line(2)={1,2};Line(3)={1,4};
+Circle(4)={0,0,0,50,0,2*Pi}; Curve Loop(1)={4}; Surface(1)={1}; f()=BooleanFragments{Surface{1};Delete;}{Curve{1:3};Delete;}; MeshSize{:}=5;"
+check "lines inside are in the mesh" awk '
+    /^\$Nodes/ { getline; for (n = $1; n > 0; n--) { getline; y[$1] = $3; x[$1] = $2 } }
+    /^\$Elements/ { on = 1 } on && $2 == 1 { r = x[$6] ^ 2 + y[$6] ^ 2; if (y[$6] == 0 && r < 2000) n++ } END { exit !(n >= 10) }' a.msh
+want=1
+name="a spline that would be cut"
+mesh "$occ Point(1)={0,0,0};Point(2)={1,0,0};Point(3)={1,1,0};Point(4)={0,1,0};Spline(1)={1,2,3,4,1};Curve Loop(1)={1};Plane Surface(1)={1};
+Rectangle(2)={.5,.5,0,3,3}; BooleanUnion{Surface{1};Delete;}{Surface{2};Delete;}"
+says "splines cannot be cut" "it is said"

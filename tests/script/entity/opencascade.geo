@@ -22,10 +22,7 @@ a[] = Translate {0, 0, 5} { Duplicata { Surface{1}; } };
 Printf("%g %g %g", a[0], newp, newl);            // expect: 7 23 61
 Box(1) = {0,0,0, 1,1,1};                         // expect error: Box needs the OpenCASCADE kernel
 Cylinder(1) = {0,0,0, 1,1,1, 2};                 // expect error: Cylinder needs the OpenCASCADE kernel
-BooleanUnion{ Surface{1}; Delete; }{ Surface{2}; Delete; } // expect error: BooleanUnion needs the OpenCASCADE kernel
-x[] = BooleanDifference{ Surface{1}; }{ Surface{2}; }; // expect error: BooleanDifference needs the OpenCASCADE kernel
-BooleanFragments{ Surface{1}; Delete; }{ Surface{2}; Delete; } // expect error: BooleanFragments needs
-BooleanIntersection{ Surface{1}; }{ Surface{2}; } // expect error: BooleanIntersection needs
+BooleanUnion{ Volume{1}; Delete; }{ Volume{2}; Delete; } // expect error: BooleanUnion of volume 1, which does not exist
 Fillet{1}{1}{0.1}                                // expect error: Fillet needs the OpenCASCADE kernel
 ThruSections(1) = {1,2};                         // expect error: ThruSections needs
 SetFactory("Parasolid");                         // expect error: unknown kernel "Parasolid"
