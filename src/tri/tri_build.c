@@ -8,13 +8,6 @@
 #include "geom/hilbert.h"
 #include "tri/tri_bulk.h"
 
-// Parts up to this size are built by insertion, larger ones by merging (measured: docs/internals/delaunay.md).
-#ifdef STRESS
-enum { LEAF = 3 };
-#else
-enum { LEAF = 32 };
-#endif
-
 static bool find_bad(const double *xy, size_t n, uint32_t *bad)
 {
   for (size_t i = 0; i < 2 * n; i++)
@@ -87,8 +80,8 @@ static size_t drop_duplicates(double *xy, uint32_t *order, uint32_t *key, size_t
 enum { MAX_NODES = 512, MAX_DEPTH = 12, TASKS = 64, SMALL_TASK = 2048 };
 
 typedef struct {
-  BulkCell cell, half[2];
-  int child[2]; // -1: none
+  VertId lo, hi, mid; // mid: where its halves meet, if it has any
+  int child[2];       // -1: none, it is built in one go
   int depth;
   BulkHull hull;
 } Node;
@@ -99,19 +92,17 @@ typedef struct {
   int n, todo[MAX_NODES];
 } Tree;
 
-static int add_node(Tree *t, const BulkCell *cell, int depth, size_t task)
+static int add_node(Tree *t, VertId lo, VertId hi, int depth, size_t task)
 {
   int k = t->n++;
   Node *d = &t->node[k];
-  *d = (Node){.cell = *cell, .child = {-1, -1}, .depth = depth};
-  if (cell->hi - cell->lo <= task || depth == MAX_DEPTH || cell->bit < 0 || t->n + 2 * (MAX_DEPTH - depth) + 2 > MAX_NODES)
-    return k;
-  bulk_split(t->worker, cell, d->half);
-  for (int i = 0; i < 2; i++)
-    if (d->half[i].hi > d->half[i].lo) {
-      int c = add_node(t, &t->node[k].half[i], depth + 1, task);
-      t->node[k].child[i] = c;
-    }
+  *d = (Node){.lo = lo, .hi = hi, .child = {-1, -1}, .depth = depth};
+  if (hi - lo <= task || depth == MAX_DEPTH || t->n + 2 * (MAX_DEPTH - depth) + 2 > MAX_NODES) return k;
+  d->mid = bulk_split(t->worker, lo, hi);
+  if (d->mid == hi) return k;
+  int first = add_node(t, lo, d->mid, depth + 1, task), second = add_node(t, d->mid, hi, depth + 1, task);
+  d->child[0] = first;
+  d->child[1] = second;
   return k;
 }
 
@@ -119,18 +110,17 @@ static void build_node(void *ctx, size_t i, int worker)
 {
   Tree *t = ctx;
   Node *d = &t->node[t->todo[i]];
-  d->hull = bulk_build(&t->worker[worker], &d->cell);
+  d->hull = bulk_build(&t->worker[worker], d->lo, d->hi);
 }
 
 static void merge_node(void *ctx, size_t i, int worker)
 {
   Tree *t = ctx;
   Node *d = &t->node[t->todo[i]];
-  const Node *p = d->child[0] < 0 ? NULL : &t->node[d->child[0]], *q = d->child[1] < 0 ? NULL : &t->node[d->child[1]];
-  d->hull = p && q ? bulk_merge(&t->worker[worker], &d->cell, d->half, &p->hull, &q->hull) : p ? p->hull : q->hull;
+  d->hull = bulk_merge(&t->worker[worker], d->mid, &t->node[d->child[0]].hull, &t->node[d->child[1]].hull);
 }
 
-static bool is_task(const Node *d) { return d->child[0] < 0 && d->child[1] < 0; }
+static bool is_task(const Node *d) { return d->child[0] < 0; }
 
 static void build_tree(Tree *t, int threads)
 {
@@ -138,8 +128,8 @@ static void build_tree(Tree *t, int threads)
   for (int k = 0; k < t->n; k++) { // the largest first
     if (!is_task(&t->node[k])) continue;
     size_t j = n++;
-    uint32_t size = t->node[k].cell.hi - t->node[k].cell.lo;
-    for (; j > 0 && t->node[t->todo[j - 1]].cell.hi - t->node[t->todo[j - 1]].cell.lo < size; j--)
+    uint32_t size = t->node[k].hi - t->node[k].lo;
+    for (; j > 0 && t->node[t->todo[j - 1]].hi - t->node[t->todo[j - 1]].lo < size; j--)
       t->todo[j] = t->todo[j - 1];
     t->todo[j] = k;
   }
@@ -152,18 +142,18 @@ static void build_tree(Tree *t, int threads)
   }
 }
 
-static void triangulate(Tri *m, const double *xy, const uint32_t *key, size_t n, int threads, uint32_t leaf)
+static void triangulate(Tri *m, const double *xy, const uint32_t *key, size_t n, int threads, bool incremental)
 {
   threads = n > SMALL_TASK ? thread_count(threads) : 1;
   Bulk *b = mem_zalloc((size_t)threads * sizeof *b);
   for (int i = 0; i < threads; i++) {
-    b[i] = (Bulk){.xy = xy, .key = key, .vert = m->vert, .twin = m->twin, .leaf = leaf};
+    b[i] = (Bulk){.xy = xy, .key = key, .vert = m->vert, .twin = m->twin, .incremental = incremental};
     bulk_begin(&b[i]);
   }
   Tree *t = mem_alloc(sizeof *t);
   t->worker = b;
   t->n = 0;
-  add_node(t, &(BulkCell){.lo = 0, .hi = (VertId)n, .bit = 31}, 0, leaf > n ? n : MAX(n / TASKS, (size_t)SMALL_TASK));
+  add_node(t, 0, (VertId)n, 0, incremental ? n : MAX(n / TASKS, (size_t)SMALL_TASK));
   build_tree(t, threads);
   free(t);
   for (int i = 0; i < threads; i++) {
@@ -198,7 +188,7 @@ TriBuildResult tri_build(Tri *m, double *xy, size_t n, TriBuild *how)
     return bad;
   }
   tri_init(m);
-  uint32_t *order = mem_alloc(n * sizeof *order), *key = mem_alloc(n * sizeof *key);
+  uint32_t *order = mem_alloc(n * sizeof *order), *key = mem_alloc((n + BULK_KEYS_BEYOND) * sizeof *key);
   hilbert_sort(xy, n, order, key, how->threads);
   double *sorted = mem_alloc_large(2 * n * sizeof *sorted);
   Gather g = {xy, order, sorted, n};
@@ -213,7 +203,8 @@ TriBuildResult tri_build(Tri *m, double *xy, size_t n, TriBuild *how)
   tri_reserve(m, 0, MAX(nt, (size_t)4));
   m->nt = (uint32_t)nt;
   memset(m->flag, 0, m->cap_t * sizeof *m->flag);
-  if (nd > 1) triangulate(m, sorted, key, nd, how->threads, how->incremental ? UINT32_MAX : LEAF);
+  memset(key + nd, 0xff, BULK_KEYS_BEYOND * sizeof *key);
+  if (nd > 1) triangulate(m, sorted, key, nd, how->threads, how->incremental);
   free(key);
   if (how->reorder) {
     m->xy = sorted;
