@@ -322,6 +322,9 @@ static void report(const Delaunay *d)
     json_integer(&j, "triangles", d->triangles);
     json_number(&j, "walk_steps", steps);
     json_number(&j, "cavity", cavity);
+    json_integer(&j, "insertions", (long long)t->walks);
+    json_integer(&j, "merge_triangles", (long long)t->merge_triangles);
+    json_integer(&j, "merge_flips", (long long)t->merge_flips);
     json_integer(&j, "orient_filter_misses", (long long)t->count.orient_slow);
     json_integer(&j, "incircle_filter_misses", (long long)t->count.incircle_slow);
     json_integer(&j, "multiprecision", (long long)t->count.multiprecision);
@@ -335,9 +338,11 @@ static void report(const Delaunay *d)
     str_free(&j.out);
   } else if (d->cli->report)
     printf("%zu points, %u triangles in %.3g s (%.3g s of processor time)\n"
-           "insertions: %.2f walk steps, %.2f triangles a cavity; filters missed: %llu orientations, %llu circles, "
-           "%llu to MPFR; ties: %llu\n",
-           d->points, d->triangles, d->wall, d->cpu, steps, cavity, (unsigned long long)t->count.orient_slow,
+           "merging: %llu triangles made, %llu flipped; %llu insertions: %.2f walk steps, %.2f triangles a cavity\n"
+           "filters missed: %llu orientations, %llu circles, %llu to MPFR; ties: %llu\n",
+           d->points, d->triangles, d->wall, d->cpu, (unsigned long long)t->merge_triangles,
+           (unsigned long long)t->merge_flips, (unsigned long long)t->walks, steps, cavity,
+           (unsigned long long)t->count.orient_slow,
            (unsigned long long)t->count.incircle_slow, (unsigned long long)t->count.multiprecision,
            (unsigned long long)t->count.ties);
 }

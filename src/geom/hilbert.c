@@ -51,6 +51,7 @@ typedef struct {
   double (*box)[4];           // of each chunk
   uint32_t (*count)[RADIX];   // of each chunk; then where its items go
   uint32_t bucket[RADIX + 1];
+  uint32_t *order, *key; // of hilbert_sort
 } Sort;
 
 static size_t chunk_end(const Sort *s, size_t k) { return MIN(s->n, (k + 1) * CHUNK); }
@@ -211,17 +212,33 @@ static void order_items(const double *xy, uint64_t *a, uint64_t *b, size_t n, in
   free(s.count);
 }
 
-void hilbert_sort(const double *xy, size_t n, uint32_t *order, uint32_t *key, int threads)
+static void chunk_number(void *ctx, size_t k, int worker)
 {
-  uint64_t *a = mem_alloc_large(n * sizeof *a), *b = mem_alloc_large(n * sizeof *b);
-  for (size_t i = 0; i < n; i++) a[i] = i;
-  order_items(xy, a, b, n, n > CHUNK ? threads : 1);
-  for (size_t i = 0; i < n; i++) {
-    order[i] = (uint32_t)a[i];
-    if (key) key[i] = (uint32_t)(a[i] >> 32);
-  }
-  free(a);
-  free(b);
+  Sort *s = ctx;
+  (void)worker;
+  for (size_t i = k * CHUNK; i < chunk_end(s, k); i++) s->a[i] = i;
 }
 
-void hilbert_order(const double *xy, size_t n, uint32_t *order) { hilbert_sort(xy, n, order, NULL, 1); }
+static void chunk_result(void *ctx, size_t k, int worker)
+{
+  Sort *s = ctx;
+  (void)worker;
+  for (size_t i = k * CHUNK; i < chunk_end(s, k); i++) {
+    s->order[i] = (uint32_t)s->a[i];
+    if (s->key) s->key[i] = (uint32_t)(s->a[i] >> 32);
+  }
+}
+
+void hilbert_sort(const double *xy, size_t n, uint32_t *order, uint32_t *key, uint64_t *scratch, int threads)
+{
+  uint64_t *a = scratch ? scratch : mem_alloc_large(2 * n * sizeof *a);
+  Sort s = {.a = a, .n = n, .order = order, .key = key};
+  size_t chunks = (n + CHUNK - 1) / CHUNK;
+  if (n <= CHUNK) threads = 1;
+  thread_for(chunks, threads, chunk_number, &s);
+  order_items(xy, a, a + n, n, threads);
+  thread_for(chunks, threads, chunk_result, &s);
+  if (!scratch) free(a);
+}
+
+void hilbert_order(const double *xy, size_t n, uint32_t *order) { hilbert_sort(xy, n, order, NULL, NULL, 1); }

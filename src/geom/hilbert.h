@@ -14,9 +14,9 @@ uint32_t hilbert_key(uint32_t x, uint32_t y);
 
 // Fill order[0..n) with the indices of the points xy[2n] along the curve over their bounding square, and key[0..n)
 // (may be NULL) with the cells in that order, ascending. Points in one cell follow a curve over their own square, and so on
-// down; equal points are neighbours, by index. The sequence of coordinates does not depend on the order of the
+// down; equal points are neighbours, by index. scratch: 2n words, or NULL. The sequence of coordinates does not depend on the order of the
 // input, nor on threads (0: one per processor). Coordinates must be finite. O(n) but for absurd ranges of exponents.
-void hilbert_sort(const double *xy, size_t n, uint32_t *order, uint32_t *key, int threads);
+void hilbert_sort(const double *xy, size_t n, uint32_t *order, uint32_t *key, uint64_t *scratch, int threads);
 
 // The same with one thread and without the cells.
 void hilbert_order(const double *xy, size_t n, uint32_t *order);

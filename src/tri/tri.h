@@ -54,6 +54,7 @@ typedef struct {
   PredCount count;
   uint64_t walks, walk_steps; // walks of insertions and tri_locate, and the edges they crossed
   uint64_t cavity_triangles;  // in the cavities of tri_build's insertions
+  uint64_t merge_triangles, merge_flips; // made and flipped where tri_build merges parts
 } Tri;
 
 // ---- navigation -----------------------------------------------------------------------------------------------

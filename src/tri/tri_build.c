@@ -165,6 +165,8 @@ static void triangulate(Tri *m, const double *xy, const uint32_t *key, size_t n,
     m->walks += b[i].walks;
     m->walk_steps += b[i].steps;
     m->cavity_triangles += b[i].cavity;
+    m->merge_triangles += b[i].merged;
+    m->merge_flips += b[i].flipped;
     bulk_end(&b[i]);
   }
   free(b);
@@ -188,19 +190,18 @@ TriBuildResult tri_build(Tri *m, double *xy, size_t n, TriBuild *how)
     return bad;
   }
   tri_init(m);
-  uint32_t *order = mem_alloc(n * sizeof *order), *key = mem_alloc((n + BULK_KEYS_BEYOND) * sizeof *key);
-  hilbert_sort(xy, n, order, key, how->threads);
+  // The arrays to come serve as scratch memory of the sort: fresh pages are dear.
+  tri_reserve(m, 0, MAX(n > 1 ? 2 * n - 2 : 0, (size_t)4));
+  uint64_t *scratch = (void *)m->twin;
+  uint32_t *order = how->reorder ? m->vert : mem_alloc(n * sizeof *order);
+  uint32_t *key = mem_alloc((n + BULK_KEYS_BEYOND) * sizeof *key);
+  hilbert_sort(xy, n, order, key, scratch, how->threads);
   double *sorted = mem_alloc_large(2 * n * sizeof *sorted);
   Gather g = {xy, order, sorted, n};
   thread_for((n + GATHER_CHUNK - 1) / GATHER_CHUNK, how->threads, gather_chunk, &g);
   if (how->reorder && how->take) free(xy);
   size_t nd = drop_duplicates(sorted, order, key, n, how->vertex_of, how->duplicates);
-  if (how->reorder) {
-    free(order);
-    order = NULL;
-  }
   size_t nt = nd > 1 ? 2 * nd - 2 : 0;
-  tri_reserve(m, 0, MAX(nt, (size_t)4));
   m->nt = (uint32_t)nt;
   memset(m->flag, 0, m->cap_t * sizeof *m->flag);
   memset(key + nd, 0xff, BULK_KEYS_BEYOND * sizeof *key);

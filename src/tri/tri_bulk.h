@@ -21,8 +21,9 @@ typedef struct {
   uint32_t *vert, *twin; // room for 2n - 2 triangles
   bool incremental;      // all by insertion
   PredCount count;
-  uint64_t walks, steps, cavity;
+  uint64_t walks, steps, cavity, merged, flipped;
   struct BulkScratch *scratch;
+  char apart[128]; // workers count in cache lines of their own
 } Bulk;
 void bulk_begin(Bulk *m); // makes the scratch memory
 void bulk_end(Bulk *m);

@@ -136,6 +136,8 @@ void bulk_climb(Bulk *m, BulkRise *rise)
     load(m, &f, now[s], rise->h[s], s, sides[s]);
     load(m, &ahead, then[s], step(m, rise->h[s], s), s, sides[s]);
   }
+  uint32_t steps = 0;
+  int flips = 0;
   for (;;) {
     int action = filter(bx, by, &f, has);
     if (UNLIKELY(action < 0)) action = (int)decide(m, end, now);
@@ -144,6 +146,8 @@ void bulk_climb(Bulk *m, BulkRise *rise)
     M2 side = sides[s];
     Flank *w = now[s];
     EdgeId h = w->h;
+    flips += action >> 1;
+    steps++;
     if (action & 2) {
       peel(m, w, s);
       load(m, &f, w, h, s, side);
@@ -165,5 +169,7 @@ void bulk_climb(Bulk *m, BulkRise *rise)
     }
     load(m, &ahead, then[s], step(m, h, s), s, side);
   }
+  m->merged += steps - (uint32_t)flips;
+  m->flipped += (uint64_t)flips;
   *rise = (BulkRise){{end[0], end[1]}, {now[0]->h, now[1]->h}, base};
 }
