@@ -95,10 +95,26 @@ static bool set_up(Sweeping *s)
   return false;
 }
 
-// The motion that the face was swept by, read off a side: along a straight line, about the centre of an arc; another (a screw) is
-// followed by the interpolation of the filling.
+// Have the two ends moved straight, but not by the same vector?
+static bool swept_by_normals(const Sweeping *s)
+{
+  Vec3 shift[2];
+  for (int k = 0; k < 2; k++) {
+    if (s->side[k] == NONE) return false;
+    const Curve *c = model_curve_at(s->in->model, s->side[k]);
+    if (c->type != CURVE_LINE) return false;
+    shift[k] = vec3_sub(s->en->xyz[node_at(s, s->side[k], s->side_back[k], s->nv)], s->en->xyz[node_at(s, s->side[k], s->side_back[k], 0)]);
+  }
+  const CurveMesh *cm = mesh_of(s, s->source);
+  Vec3 p = cm->p[cm->n / 2], q = mesh_of(s, s->top)->p[s->source_back == s->top_back ? cm->n / 2 : cm->n - 1 - cm->n / 2];
+  double tolerance = 1e-9 * vec3_length(shift[0]);
+  return vec3_distance(shift[0], shift[1]) > tolerance || vec3_distance(vec3_sub(q, p), shift[0]) > 1e-6 * vec3_length(shift[0]);
+}
+
+// The motion that the face was swept by, read off a side: along a straight line, along normals (nodes go straight to their copies),
+// about the centre of an arc; another (a screw) is followed by the interpolation of the filling.
 typedef struct {
-  enum { SWEEP_LINE, SWEEP_ARC, SWEEP_OTHER } kind;
+  enum { SWEEP_LINE, SWEEP_NORMALS, SWEEP_ARC, SWEEP_OTHER } kind;
   Vec3 shift, centre, axis;
   double angle;
   Filling filling;
@@ -114,7 +130,9 @@ static bool motion_of(const Sweeping *s, Motion *motion)
   Motion r = {.kind = SWEEP_OTHER};
   bool found = true;
   Vec3 a = model_point(m, back ? c->end : c->begin)->xyz, b = model_point(m, back ? c->begin : c->end)->xyz;
-  if (c->type == CURVE_LINE) {
+  if (swept_by_normals(s)) {
+    r.kind = SWEEP_NORMALS;
+  } else if (c->type == CURVE_LINE) {
     r.kind = SWEEP_LINE;
     r.shift = vec3_sub(b, a);
   } else if (c->type == CURVE_CIRCLE && c->npoint == 3 && model_point(m, c->point[1])) {
@@ -145,6 +163,10 @@ static Vec3 carried(const Sweeping *s, const Motion *r, size_t i, double h)
 {
   Vec3 p = s->en->xyz[node_at(s, s->source, s->source_back, i)];
   switch (r->kind) {
+  case SWEEP_NORMALS: {
+    Vec3 q = s->en->xyz[node_at(s, s->top, s->top_back, i)];
+    return vec3_add(p, vec3_scale(h, vec3_sub(q, p)));
+  }
   case SWEEP_LINE: return vec3_add(p, vec3_scale(h, r->shift));
   case SWEEP_ARC: return rotate(r, p, h * r->angle);
   case SWEEP_OTHER: break;

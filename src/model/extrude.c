@@ -15,6 +15,9 @@ typedef struct {
   Layers layers;     // in the model's arena
   double tol;
   SrcLoc loc;
+  double thickness;  // > 0: along the normals of the curves, so far
+  Map normal_at;     // point -> index of its mean normal
+  Vec(Vec3) normal;
 } Job;
 
 static Affine part_of(const Sweep *s, double f)
@@ -29,9 +32,81 @@ static Affine part_of(const Sweep *s, double f)
   return a;
 }
 
+// ---- along normals (Extrude {Curve{..}; Layers{..}}) --------------------------------------------------------------------
+// At corners of up to 100 degrees the far end is as far from both curves as the layers are thick; at sharper ones it is so far from the point.
+#define MITRE 1.2855752193730785 // 2 cos 50 degrees
+
+// Unit normal of a curve at u, to the right of its sense in the plane of x and y.
+static Vec3 normal_of(const Model *m, const Curve *c, double u, bool back)
+{
+  Vec3 t = curve_deriv(m, c, u);
+  double l = hypot(t.x, t.y), sign = back ? -1 : 1;
+  return l > 0 ? (Vec3){sign * t.y / l, -sign * t.x / l, 0} : (Vec3){0, 0, 0};
+}
+
+static void add_normal(Job *j, int point, Vec3 n)
+{
+  bool fresh;
+  uint32_t *slot = map_slot(&j->normal_at, (uint64_t)point, (uint32_t)j->normal.len, &fresh);
+  if (fresh) vec_push(&j->normal, ((Vec3){0, 0, 0}));
+  j->normal.data[*slot] = vec3_add(j->normal.data[*slot], n);
+}
+
+static Vec3 moved_along_normal(const Job *j, int point)
+{
+  uint32_t k = map_get(&j->normal_at, (uint64_t)point);
+  Vec3 n = k == NONE ? (Vec3){0, 0, 0} : j->normal.data[k], p = point__get(j->m, point)->xyz;
+  double l = vec3_length(n); // twice the cosine of half the turn where two curves meet
+  if (!(l > 0)) return p;
+  return vec3_add(p, vec3_scale(j->thickness / l * (l > MITRE && l < 2 ? 2 / l : 1), n));
+}
+
+// Mean normals at the ends of all curves of the statement; false (reported) for anything else than curves in planes of constant z.
+static bool collect_normals(Job *j, const Shape *shape, size_t n, SrcLoc loc, Diag *diag)
+{
+  for (size_t i = 0; i < n; i++) {
+    Curve *c = shape[i].dim == 1 ? model_curve(j->m, shape[i].tag) : NULL;
+    if (!c) {
+      diag_error(diag, loc, "Extrude without a vector (along the normals) takes curves alone here");
+      return false;
+    }
+    if (!curve__build(j->m, c, diag)) return false;
+    Box3 b = curve_bounds(j->m, c);
+    if (b.hi.z - b.lo.z > 1e-9 * vec3_distance(b.lo, b.hi)) {
+      diag_error(diag, loc, "Extrude along the normals: curve %d is not in a plane of constant z", c->tag);
+      return false;
+    }
+    add_normal(j, c->begin, normal_of(j->m, c, 0, shape[i].tag < 0));
+    add_normal(j, c->end, normal_of(j->m, c, 1, shape[i].tag < 0));
+  }
+  return true;
+}
+
+// The curve at the far end of layers along the normals: straight if the curve is, else a spline through places in equal steps of the
+// parameter.
+static int offset_curve(Job *j, int signed_tag)
+{
+  enum { PLACES = 23 }; // a prime, so that they seldom are where nodes come to be
+  Model *m = j->m;
+  const Curve *c = model_curve(m, signed_tag);
+  bool back = signed_tag < 0, straight = c->type == CURVE_LINE;
+  int tag = model__next_tag(m, KIND_CURVE), n = straight ? 1 : PLACES, from = back ? c->end : c->begin, to = back ? c->begin : c->end;
+  int point[PLACES + 1];
+  for (int i = 0; i <= n; i++) {
+    double u = back ? 1 - (double)i / n : (double)i / n;
+    Vec3 p = i == 0   ? moved_along_normal(j, from)
+             : i == n ? moved_along_normal(j, to)
+                      : vec3_add(curve_point(m, c, u), vec3_scale(j->thickness, normal_of(m, c, u, back)));
+    point[i] = model__copy_point(m, i < n ? from : to, j->loc);
+    model__point_moves(m, point__get(m, point[i]), p);
+  }
+  curve__make(m, tag, straight ? CURVE_LINE : CURVE_SPLINE, point, n + 1, point[0], point[n], j->loc);
+  return tag;
+}
+
 static bool stays(const Job *j, int point)
 {
-  Vec3 p = point__get(j->m, point)->xyz, q = affine_apply(&j->full, p);
+  Vec3 p = point__get(j->m, point)->xyz, q = j->thickness > 0 ? moved_along_normal(j, point) : affine_apply(&j->full, p);
   return fabs(p.x - q.x) <= j->tol && fabs(p.y - q.y) <= j->tol && fabs(p.z - q.z) <= j->tol;
 }
 
@@ -87,7 +162,8 @@ static int sweep_point(Job *j, int from)
   if (j->sweep->rotate && j->sweep->translate) {
     c = swept_screw(j, from, to);
   } else {
-    move_point(j, to, &j->full);
+    if (j->thickness > 0) model__point_moves(m, point__get(m, to), moved_along_normal(j, from));
+    else move_point(j, to, &j->full);
     int pair[2] = {from, to};
     c = j->sweep->rotate ? swept_arc(j, from, to)
                          : curve__make(m, model__next_tag(m, KIND_CURVE), CURVE_LINE, pair, 2, from, to, j->loc);
@@ -101,8 +177,12 @@ static int sweep_point(Job *j, int from)
 static int sweep_curve(Job *j, int curve, int *top)
 {
   Model *m = j->m;
-  *top = model__copy_curve(m, curve, j->loc);
-  model__transform_shape(m, 1, *top, &j->full);
+  if (j->thickness > 0) {
+    *top = offset_curve(j, curve);
+  } else {
+    *top = model__copy_curve(m, curve, j->loc);
+    model__transform_shape(m, 1, *top, &j->full);
+  }
   int begin = sweep_point(j, curve__from(m, curve));
   int end = sweep_point(j, curve__to(m, curve));
   if (!begin && !end) return 0;
@@ -244,9 +324,8 @@ static void extrude_face(Job *j, int tag, ShapeVec *out)
 
 static bool sweep_is_good(const Sweep *s, SrcLoc loc, Diag *diag)
 {
-  if (!s->translate && !s->rotate) {
-    diag_error(diag, loc, "Extrude without a vector (along the normals) is not supported; a BoundaryLayer field makes layers along "
-                          "curves");
+  if (!s->translate && !s->rotate && !s->layers.n) {
+    diag_error(diag, loc, "Extrude without a vector (along the normals) needs Layers");
     return false;
   }
   if (s->rotate && !(vec3_length(s->axis) > 0)) {
@@ -270,12 +349,14 @@ static bool sweep_is_good(const Sweep *s, SrcLoc loc, Diag *diag)
   return true;
 }
 
-static Layers keep_layers(Model *m, const Layers *l)
+// Heights are shares of the whole, but lengths where there is no vector.
+static Layers keep_layers(Model *m, const Layers *l, double unit)
 {
   Layers k = *l;
   if (l->n) {
     k.count = arena_dup(&m->arena, l->count, (size_t)l->n * sizeof *l->count);
     k.height = arena_dup(&m->arena, l->height, (size_t)l->n * sizeof *l->height);
+    for (int i = 0; i < l->n; i++) k.height[i] = l->height[i] / unit;
   }
   return k;
 }
@@ -284,7 +365,15 @@ bool model_extrude(Model *m, const Shape *shape, size_t n, const Sweep *sweep, S
 {
   if (m->moved.len) model__restore_points(m);
   if (!sweep_is_good(sweep, loc, diag)) return false;
-  Job j = {.m = m, .sweep = sweep, .loc = loc, .full = part_of(sweep, 1), .layers = keep_layers(m, &sweep->layers)};
+  bool vector = sweep->translate || sweep->rotate;
+  Job j = {.m = m, .sweep = sweep, .loc = loc, .full = part_of(sweep, 1)};
+  if (!vector) j.thickness = sweep->layers.height[sweep->layers.n - 1];
+  j.layers = keep_layers(m, &sweep->layers, vector ? 1 : j.thickness);
+  if (!vector && !collect_normals(&j, shape, n, loc, diag)) {
+    map_free(&j.normal_at);
+    vec_free(&j.normal);
+    return false;
+  }
   for (int i = 0; i < 12; i++)
     if (!isfinite(j.full.m[i])) {
       diag_error(diag, loc, "this extrusion is not finite");
@@ -306,5 +395,7 @@ bool model_extrude(Model *m, const Shape *shape, size_t n, const Sweep *sweep, S
     if (shape[i].dim == 1) extrude_curve(&j, shape[i].tag, out);
     if (shape[i].dim == 2) extrude_face(&j, tag__abs(shape[i].tag), out);
   }
+  map_free(&j.normal_at);
+  vec_free(&j.normal);
   return good;
 }

@@ -109,7 +109,7 @@ bool model_boolean(Model *m, BooleanOp op, const BooleanSide *object, const Bool
 
 // ---- extrusion -----------------------------------------------------------------------------------------------------------
 typedef struct {
-  bool translate, rotate; // both: a screw; neither: along the normals (boundary layer), which is refused
+  bool translate, rotate; // both: a screw; neither: curves along their normals in the plane, to their right, by layers in lengths
   Vec3 shift;
   Vec3 axis, centre;      // of the rotation
   double angle;

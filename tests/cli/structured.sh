@@ -38,6 +38,24 @@ mesh 'Point(1)={0,0,0,1};Point(2)={1,0,0,1};Point(3)={.5,.9,0,1};Line(1)={1,2};L
 Plane Surface(1)={1};Transfinite Curve{1:3}=6;Transfinite Surface{1};Mesh.TransfiniteTri=1;'
 prints "21 nodes, 15 lines, 25 triangles" "a triangular grid has n * n triangles"
 
+# ---- along normals ----
+name="layers round a square"
+mesh "$square Delete{Surface{1};} e[]=Extrude{Line{1:4};Layers{{3,2},{.02,.1}};Recombine;}; Printf('%g %g', #e[], e[7]);
+Physical Surface(1)={e[1],e[5],e[9],e[13]};"
+prints "16 -7" "their sides are shared"
+prints "1                                  200  0.44" "they are as thick as asked for, round the corners too"
+name="layers round a circle, and the rest"
+mesh 'lc=.1;Point(1)={0,0,0};Point(2)={.5,0,0,lc};Point(3)={0,.5,0,lc};Point(4)={-.5,0,0,lc};Point(5)={0,-.5,0,lc};
+Circle(1)={2,1,3};Circle(2)={3,1,4};Circle(3)={4,1,5};Circle(4)={5,1,2};
+e[]=Extrude{Line{1:4};Layers{{5,5},{.05,.2}};Recombine;};Line Loop(1)={e[0],e[4],e[8],e[12]};
+Point(101)={-2,-2,0,.4};Point(102)={4,-2,0,.4};Point(103)={4,2,0,.4};Point(104)={-2,2,0,.4};
+Line(101)={101,102};Line(102)={102,103};Line(103)={103,104};Line(104)={104,101};Line Loop(2)={101:104};Plane Surface(9)={2,1};'
+prints "320 quadrangles" "ten layers on 32 edges"
+check "fit together" "$MESHGEN" check a.msh
+name="surfaces along normals"
+want=1 mesh "$square Extrude{Surface{1};Layers{2,.1};}"
+says "takes curves alone" "surfaces are refused"
+
 # ---- faces that copy faces ----
 name="a box of layers"
 mesh 'Point(1)={2,0,0};l[]=Extrude{1,0,0}{Point{1};Layers{4};};s[]=Extrude{0,1,0}{Curve{l[1]};Layers{4};Recombine;};
