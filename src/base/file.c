@@ -113,8 +113,10 @@ static int open_temporary(const char *path, int *slot)
     errno = EMFILE;
   else if (snprintf(temporaries[i].path, PATH_CAP, "%s.tmpXXXXXX", path) >= PATH_CAP)
     errno = ENAMETOOLONG;
-  else if ((fd = mkstemp(temporaries[i].path)) >= 0) {
-    temporaries[i].in_use = true;
+  else {
+    temporaries[i].in_use = true; // before there is a file: a signal may come as soon as there is
+    fd = mkstemp(temporaries[i].path);
+    temporaries[i].in_use = fd >= 0;
     *slot = i;
   }
   pthread_mutex_unlock(&temporaries_lock);

@@ -28,6 +28,7 @@ OutOptions output_options(const Job *j)
   const Cli *c = j->cli;
   return (OutOptions){.binary = o->Mesh_Binary,
                       .save_all = o->Mesh_SaveAll,
+                      .no_orphans = o->Mesh_SaveWithoutOrphans,
                       .save_parametric = o->Mesh_SaveParametric,
                       .scaling = o->Mesh_ScalingFactor,
                       .first_node = (uint64_t)o->Mesh_FirstNodeTag,

@@ -16,6 +16,7 @@
 #include "mesh/mesh2d.h"
 #include "mesh/mesh2d_joint.h"
 #include "mesh/mesh_check.h"
+#include "mesh/mesh_stats.h"
 #include "mesh/periodic.h"
 #include "mesh/subdivide.h"
 #include "out/formats.h"
@@ -196,19 +197,49 @@ static void host_print(void *ctx, const char *text)
   if (diag_level(j->diag) >= LOG_PRINTF) fprintf(j->out, "%s\n", text);
 }
 
+// Surface elements of so many corners.
+static size_t count_corners(const Mesh *m, int corners)
+{
+  size_t n = 0;
+  for (size_t b = 0; b < m->nblock; b++)
+    if (elem_corners(m->block[b].type) == corners && elem_dim(m->block[b].type) == 2) n += m->block[b].n;
+  return n;
+}
+
+// Least, mean and largest quality: gamma of triangles, eta of quadrangles.
+static void qualities(const Mesh *m, double to[3])
+{
+  MeshStats s;
+  mesh_stats_make(&s, m, NULL);
+  size_t n = s.gamma.n + s.eta.n;
+  to[0] = !s.gamma.n ? s.eta.min : !s.eta.n ? s.gamma.min : fmin(s.gamma.min, s.eta.min);
+  to[1] = n ? (s.gamma.mean * (double)s.gamma.n + s.eta.mean * (double)s.eta.n) / (double)n : 0;
+  to[2] = fmax(s.gamma.n ? s.gamma.max : 0, s.eta.n ? s.eta.max : 0);
+  mesh_stats_free(&s);
+}
+
 static bool host_statistic(void *ctx, const char *key, double *value)
 {
   Job *j = ctx;
-  static const char *const keys[] = {"NbNodes", "NbTriangles", "NbQuadrangles"};
+  static const char *const quality[] = {"MinQuality", "AvgQuality", "MaxQuality"};
   if (!j->mesh) return false;
-  double v[] = {(double)j->mesh->nnode, (double)mesh_count_type(j->mesh, ELEM_TRI3),
-                (double)mesh_count_type(j->mesh, ELEM_QUAD4)};
-  for (size_t i = 0; i < ARRAY_LEN(keys); i++)
-    if (strcmp(key, keys[i]) == 0) {
-      *value = v[i];
-      return true;
-    }
-  return false;
+  if (strcmp(key, "NbNodes") == 0)
+    *value = (double)j->mesh->nnode;
+  else if (strcmp(key, "NbTriangles") == 0)
+    *value = (double)count_corners(j->mesh, 3);
+  else if (strcmp(key, "NbQuadrangles") == 0)
+    *value = (double)count_corners(j->mesh, 4);
+  else if (strcmp(key, "CpuTime") == 0)
+    *value = time_cpu();
+  else {
+    size_t i = 0;
+    while (i < ARRAY_LEN(quality) && strcmp(key, quality[i]) != 0) i++;
+    if (i == ARRAY_LEN(quality)) return false;
+    double q[3];
+    qualities(j->mesh, q);
+    *value = q[i];
+  }
+  return true;
 }
 
 static bool host_system(void *ctx, const char *command, SrcLoc loc)
@@ -302,15 +333,6 @@ static bool audit(Job *j)
   if (report.errors > shown) diag_note(j->diag, NO_LOC, "and %zu more", report.errors - shown);
   mesh_report_free(&report);
   return good;
-}
-
-// Surface elements of so many corners.
-static size_t count_corners(const Mesh *m, int corners)
-{
-  size_t n = 0;
-  for (size_t b = 0; b < m->nblock; b++)
-    if (elem_corners(m->block[b].type) == corners && elem_dim(m->block[b].type) == 2) n += m->block[b].n;
-  return n;
 }
 
 // Write what was asked for, then report: on standard output, unless a mesh goes there.

@@ -119,7 +119,7 @@ ExitCode out_write(const Mesh *m, const char *path, const char *format, const Ou
   OutOptions options = *o;
   if (f->flags & FORMAT_ALL) options.save_all = true;
   Selection s;
-  select__make(&s, m, &options, f->flags);
+  select__make(&s, m, &options, o->no_orphans ? f->flags & ~(unsigned)FORMAT_ORPHANS : f->flags);
   const char *why = f->refuses ? f->refuses(&s) : NULL;
   int error = why ? 0 : write_file(f, &s, path, &options);
   if (why) diag_error(d, NO_LOC, "%s: %s", path, why);

@@ -14,6 +14,7 @@ typedef enum { PICTURE_BY_GROUP, PICTURE_BY_GAMMA, PICTURE_BY_ANGLE, PICTURE_BY_
 typedef struct {
   bool binary;               // where the format has a binary variant
   bool save_all;             // elements that are in no physical group too
+  bool no_orphans;           // leave out nodes of no element where the format would have them (MSH 4)
   bool save_parametric;      // parameters of nodes on curves (MSH)
   double scaling;            // of written coordinates; 0 means 1
   uint64_t first_node, first_element; // smallest numbers; 0 means 1
