@@ -46,6 +46,24 @@ def measure(p):
     return 0.5 * math.hypot(*total)
 
 
+def members(path):
+    """Physical groups as sets of entities, and the entities without group: (dim, tag, name) -> tags."""
+    _, elems, names = read_msh2(path)
+    out = {}
+    for t, phys, ent, _ in elems:
+        if t in DIM:
+            out.setdefault((DIM[t], abs(phys), names.get((DIM[t], abs(phys)), "")), set()).add(ent)
+    return out
+
+
+def differing_members(mine, theirs):
+    for key in sorted(set(mine) | set(theirs)):
+        if mine.get(key) != theirs.get(key):
+            a, b = mine.get(key, set()), theirs.get(key, set())
+            return "members of group %s: only mine %s, only gmsh's %s" % (key, sorted(a - b)[:5], sorted(b - a)[:5])
+    return None
+
+
 def summarize(path):
     nodes, elems, names = read_msh2(path)
     r = {"nodes": len(nodes), "points0d": 0, "lines": 0, "triangles": 0, "quads": 0, "groups": {}, "area": {}, "length": {}, "total": 0.0}
@@ -93,6 +111,22 @@ def compare(mine, ref):
                 out.append("area of group %d: %.8g, reference %.8g" % (tag, b, a))
                 break
     return out
+
+
+def compare_members(opt, scratch, name, msh, row):
+    """With the groups of the file that gmsh writes; nothing is said of files that it cannot mesh, or writes in another format."""
+    theirs = os.path.join(scratch, "theirs.msh")
+    try:
+        p = subprocess.run([opt.gmsh, "-2", "-v", "0", name, "-o", theirs, "-format", "msh22", "-nt", "1"], cwd=scratch,
+                           stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=opt.timeout)
+        bad = differing_members(members(msh), members(theirs)) if p.returncode == 0 else ""
+    except (subprocess.TimeoutExpired, OSError, ValueError, KeyError, IndexError, StopIteration):
+        return
+    if bad == "":
+        return
+    row["members"] = "ok" if not bad else "differ"
+    if bad:
+        row["note"] = (row["note"] + "; " if row["note"] else "") + bad
 
 
 def run_one(job):
@@ -162,6 +196,8 @@ def run_one(job):
             row["elements"] = "%d+%d/%s+%s" % (mine["triangles"], mine["quads"], ref["triangles"], ref["quads"])
             if bad:
                 row["note"] = "; ".join(bad)[:150]
+        if opt.gmsh:
+            compare_members(opt, scratch, name, msh, row)
         row["pass"] = row["audited"] == "ok" and row["compared"] != "differs"
         return row
     except Exception as e:  # a broken output file is the program's failure, not the harness's
@@ -245,6 +281,7 @@ def main():
     ap.add_argument("--args", default="")
     ap.add_argument("--only", default="")
     ap.add_argument("--all-names", action="store_true", help="also files that the reference does not list")
+    ap.add_argument("--gmsh", metavar="PROGRAM", help="compare the members of groups with what this gmsh makes of each file")
     ap.add_argument("--bad", action="store_true")
     ap.add_argument("--floor", type=int, help="good files that there must be; then only those missing from it count as failed")
     ap.add_argument("--recombine", nargs="?", const="all", metavar="METHODS", help="every face recombined; methods as 0,1,2,3")
@@ -276,6 +313,12 @@ def main():
     print("%d files: %d parsed, %d meshed, %d audited, %d compared equal of %d with a reference; line counts equal on %d of %d"
           % (len(rows), count("parsed"), count("meshed"), count("audited"), count("compared"), count("compared") + sum(1 for r in rows if r["compared"] == "differs"),
              sum(1 for r in same if r["lines"].split("/")[0] == r["lines"].split("/")[1]), len(same)))
+    if opt.gmsh:
+        for r in rows:
+            if r.get("members") == "differ":
+                print("members differ: %s: %s" % (r["file"], r["note"]))
+        print("members of all groups equal on %d of %d files that gmsh meshes without error"
+              % (sum(1 for r in rows if r.get("members") == "ok"), sum(1 for r in rows if r.get("members"))))
     failed = len(rows) - good
     if opt.floor is not None:
         print("%d good, %d not (listed above); the floor is %d" % (good, failed, opt.floor))

@@ -185,7 +185,7 @@ static void do_command(Walk *w, CommandId id)
   const char *s;
   double v = 0;
   switch (id) {
-  case CMD_MESH0: case CMD_MESH1: case CMD_MESH2: case CMD_MESH3: case CMD_SAVE: case CMD_PARSE: case CMD_REFINE:
+  case CMD_MESH0: case CMD_MESH1: case CMD_MESH2: case CMD_MESH3: case CMD_SAVE: case CMD_PARSE: case CMD_DUMP_AST: case CMD_REFINE:
   case CMD_BARYCENTRIC: case CMD_DELAUNAY: case CMD_HELP: case CMD_HELP_OPTIONS: case CMD_VERSION: case CMD_INFO:
   case CMD_DUMP_MAN: case CMD_LIST_FORMATS:
     c->action = id;

@@ -7,6 +7,7 @@
 #include <errno.h>
 #include <math.h>
 
+#include "base/file.h"
 #include "base/str.h"
 #include "cli/batch.h"
 #include "cli/output.h"
@@ -394,9 +395,27 @@ static void split_if_asked(Job *j)
   if (j->cli->action == CMD_BARYCENTRIC) split_elements(j, SUBDIVIDE_BARYCENTRIC);
 }
 
+// -dump_ast: the text is parsed, and not run.
+static ExitCode dump_tree(Job *j)
+{
+  size_t len;
+  char *text = file_read(j->input, &len);
+  if (!text) {
+    diag_error(j->diag, NO_LOC, "%s: %s", j->input, strerror(errno));
+    return EXIT_ENVIRONMENT;
+  }
+  Str out = {0};
+  script_dump_ast(j->diag, j->input, text, len, &out);
+  fwrite(str_text(&out), 1, out.len, j->out);
+  str_free(&out);
+  free(text);
+  return diag_errors(j->diag) ? EXIT_INPUT : EXIT_GOOD;
+}
+
 static ExitCode run_geo(Job *j)
 {
   CommandId action = j->cli->action;
+  if (action == CMD_DUMP_AST) return dump_tree(j);
   ExitCode status = apply_settings(j);
   if (status != EXIT_GOOD) return status;
   stage_begin(&j->stats, "script");

@@ -140,3 +140,12 @@ name="a spline that would be cut"
 mesh "$occ Point(1)={0,0,0};Point(2)={1,0,0};Point(3)={1,1,0};Point(4)={0,1,0};Spline(1)={1,2,3,4,1};Curve Loop(1)={1};Plane Surface(1)={1};
 Rectangle(2)={.5,.5,0,3,3}; BooleanUnion{Surface{1};Delete;}{Surface{2};Delete;}"
 says "splines cannot be cut" "it is said"
+want=0
+
+# ---- the tree of a script ----
+printf 'x = 1 + 2;\nPoint(1) = {0, x, 0};\nPrintf("never run");\n' >tree.geo
+exits 0 "-dump_ast" "$MESHGEN" -dump_ast tree.geo
+prints "(DEFINE Point 1 (LIST 0 x 0))" "it prints the tree"
+printf 'Point(1) = {0, 0, 0;\n' >tree.geo
+exits 1 "-dump_ast of what does not parse" "$MESHGEN" -dump_ast tree.geo
+says "tree.geo:1:20: error:" "the place is named"
