@@ -12,7 +12,7 @@ bool face_is_recombined(const Face *f, const Options *o) { return f->recombine |
 
 bool face_is_split(const Model *m, const Face *f, const Mesh1d *curves, const Options *o)
 {
-  if (!face_is_recombined(f, o) || (o->Mesh_RecombinationAlgorithm != 2 && o->Mesh_RecombinationAlgorithm != 3)) return false;
+  if (!face_is_recombined(f, o) || o->Mesh_RecombinationAlgorithm < QUAD_FULL_GREEDY) return false;
   IntVec curve = {0}, start = {0};
   face_boundary(m, f, &curve, &start);
   for (size_t i = 0; i < f->embedded_curves.len; i++) vec_push(&curve, f->embedded_curves.data[i]);
@@ -75,8 +75,7 @@ static QuadParams quad_params(const Face *f, const Options *o, Work *w)
 {
   QuadParams p = quad_params_default();
   int a = o->Mesh_RecombinationAlgorithm;
-  if (a == 4) a = QUAD_BLOSSOM; // Gmsh's other way to the same end
-  if (!w->graph->coarse && (a == QUAD_FULL_GREEDY || a == QUAD_FULL_BLOSSOM)) a = QUAD_BLOSSOM;
+  if (!w->graph->coarse && a >= QUAD_FULL_GREEDY) a = QUAD_BLOSSOM; // a curve with an odd number of edges cannot be halved
   p.algorithm = (QuadAlgorithm)a;
   p.angle = f->recombine_angle > 0 ? f->recombine_angle : 45;
   p.cleanup = o->Mesh_RecombineOptimizeTopology;

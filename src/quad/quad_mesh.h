@@ -39,7 +39,7 @@ void quad_mesh_compact(QuadMesh *m);
 // ---- recombination ----------------------------------------------------------------------------------------------
 
 typedef enum {          // numbered as Mesh.RecombinationAlgorithm
-  QUAD_GREEDY = 0,      // best pair first [book §5.2.1]; triangles remain
+  QUAD_GREEDY = 0,      // best pair first [book §5.2.1], then short exchanges for single triangles; some remain
   QUAD_BLOSSOM = 1,     // minimum-cost perfect matching [book §5.2.4]
   QUAD_FULL_GREEDY = 2, // greedy, then every element split into quads: no triangle remains; made for a mesh of double size
   QUAD_FULL_BLOSSOM = 3,
@@ -51,7 +51,8 @@ typedef struct {
   double angle;         // degrees; greedy merges no pair with a corner that differs more from a right angle. Default 45
   int cleanup;          // rounds of topological clean-up, 0: none
   int smoothing;        // passes of smoothing, 0: none
-  double min_eta;       // quads worse than this at the end, and any that is not convex, are cut into two triangles
+  double min_eta;       // quads worse than this at the end, and any that is not convex, are replaced by five better ones, or cut
+                        // into two triangles if that cannot be or the method is greedy
   // Where the middle of the boundary or locked edge ab (as numbered in `from`) is on the geometry; the full-quad variants ask
   // it for each such edge. NULL, or false returned: halfway.
   bool (*middle)(void *ctx, uint32_t a, uint32_t b, Vec2 *p);
@@ -66,6 +67,7 @@ typedef struct {
   int64_t matching_cost;
   size_t removed;           // vertices removed by the clean-up
   size_t flips, collapses, doublets;
+  size_t filled;            // bad quads replaced by five
   size_t cut;               // bad quads cut into triangles again
 } QuadReport;
 
@@ -82,6 +84,9 @@ void quad_match_greedy(QuadMesh *m, double angle);
 void quad_match_blossom(QuadMesh *m, QuadReport *report);
 void quad_repair(QuadMesh *m, QuadReport *report);   // bring leftover triangles of one part together in pairs
 void quad_split_all(QuadMesh *m, const QuadParams *p);
+// Put a smaller quad and four around it in the place of each quad that is not convex or worse than min_eta, where that gives five
+// that are better than min_eta; returns how many.
+size_t quad_fill_bad(QuadMesh *m, double min_eta);
 size_t quad_cut_bad(QuadMesh *m, double min_eta);    // returns how many quads were cut
 void quad_clean(QuadMesh *m, int rounds, QuadReport *report);
 void quad_smooth(QuadMesh *m, int passes);

@@ -52,19 +52,80 @@ static Pair *find_pairs(const QuadMesh *m, size_t *n)
   return pair.data;
 }
 
+// Which triangles the greedy method has put together.
+typedef struct {
+  const uint32_t *twin;
+  double *eta;      // by side: of the pair over it; -1 if it is not allowed
+  uint32_t *over;   // by element: the side over which it is merged, or NONE
+  uint32_t *seen;   // by element: stamp of the search that came by
+  uint32_t stamp;
+} Greedy;
+
+static void match_sides(Greedy *g, uint32_t s)
+{
+  g->over[s / 4] = s;
+  g->over[g->twin[s] / 4] = g->twin[s];
+}
+
+// Give the triangle e a partner: a single neighbour, or one whose own partner finds another one in the same way, `depth` times at
+// most. Neighbours are tried from the best pair to the worst.
+static bool find_partner(Greedy *g, uint32_t e, int depth)
+{
+  uint32_t side[3] = {4 * e, 4 * e + 1, 4 * e + 2};
+  for (int i = 1; i < 3; i++)
+    for (int j = i; j > 0 && g->eta[side[j]] > g->eta[side[j - 1]]; j--) {
+      uint32_t t = side[j];
+      side[j] = side[j - 1];
+      side[j - 1] = t;
+    }
+  for (int i = 0; i < 3 && g->eta[side[i]] >= 0; i++) {
+    uint32_t f = g->twin[side[i]] / 4;
+    if (g->seen[f] == g->stamp) continue;
+    if (g->over[f] != NONE && depth == 0) continue;
+    g->seen[f] = g->stamp;
+    if (g->over[f] == NONE || find_partner(g, g->twin[g->over[f]] / 4, depth - 1)) {
+      match_sides(g, side[i]);
+      return true;
+    }
+  }
+  return false;
+}
+
+enum { GREEDY_DEPTH = 4 };
+
+// Single triangles that a short exchange with their neighbours makes pairs of, the shortest first.
+static void exchange_pairs(Greedy *g, size_t ne)
+{
+  for (int depth = 1; depth <= GREEDY_DEPTH; depth++)
+    for (uint32_t e = 0; e < ne; e++) {
+      if (g->over[e] != NONE) continue;
+      g->seen[e] = ++g->stamp;
+      find_partner(g, e, depth);
+    }
+}
+
 void quad_match_greedy(QuadMesh *m, double angle)
 {
-  size_t n;
+  size_t n, ne = quad_mesh_elements(m);
   Pair *pair = find_pairs(m, &n);
-  uint8_t *used = mem_zalloc(quad_mesh_elements(m) + 1);
+  uint32_t *twin = quad_mesh_twins(m);
+  Greedy g = {.twin = twin, .eta = mem_alloc((4 * ne + 1) * sizeof *g.eta), .over = mem_alloc((ne + 1) * sizeof *g.over),
+              .seen = mem_zalloc((ne + 1) * sizeof *g.seen)};
+  for (size_t s = 0; s < 4 * ne; s++) g.eta[s] = -1;
+  for (size_t e = 0; e < ne; e++) g.over[e] = NONE;
   if (n) qsort(pair, n, sizeof *pair, better_pair);
   for (size_t i = 0; i < n && pair[i].eta > 0 && pair[i].eta >= 1 - angle / 90; i++) {
-    if (used[pair[i].side / 4] || used[pair[i].twin / 4]) continue;
-    used[pair[i].side / 4] = used[pair[i].twin / 4] = 1;
-    merge(m, pair[i].side, pair[i].twin);
+    g.eta[pair[i].side] = g.eta[pair[i].twin] = pair[i].eta;
+    if (g.over[pair[i].side / 4] == NONE && g.over[pair[i].twin / 4] == NONE) match_sides(&g, pair[i].side);
   }
+  exchange_pairs(&g, ne);
+  for (uint32_t e = 0; e < ne; e++)
+    if (g.over[e] != NONE && twin[g.over[e]] > g.over[e]) merge(m, g.over[e], twin[g.over[e]]);
   free(pair);
-  free(used);
+  free(twin);
+  free(g.eta);
+  free(g.over);
+  free(g.seen);
   quad_mesh_compact(m);
 }
 
@@ -184,6 +245,13 @@ size_t quad_cut_bad(QuadMesh *m, double min_eta)
 
 // ---- all together
 
+static void fill_bad(QuadMesh *m, const QuadParams *p, QuadReport *report)
+{
+  size_t n = quad_fill_bad(m, p->min_eta);
+  report->filled += n;
+  if (n && p->smoothing) quad_smooth(m, p->smoothing);
+}
+
 void quad_recombine(QuadMesh *m, const QuadParams *p, QuadReport *report)
 {
   QuadReport ignored;
@@ -202,12 +270,14 @@ void quad_recombine(QuadMesh *m, const QuadParams *p, QuadReport *report)
   bool split = p->algorithm == QUAD_FULL_GREEDY || p->algorithm == QUAD_FULL_BLOSSOM || p->algorithm == QUAD_SPLIT;
   if (p->cleanup) quad_clean(m, p->cleanup, report);
   if (p->smoothing) quad_smooth(m, p->smoothing);
+  if (p->algorithm != QUAD_GREEDY && !split) fill_bad(m, p, report);
   report->cut = quad_cut_bad(m, split ? 0 : p->min_eta);
   if (split) {
     quad_split_all(m, p);
     if (p->cleanup) quad_clean(m, p->cleanup, report);
     if (p->smoothing) quad_smooth(m, p->smoothing);
-    report->cut += quad_cut_bad(m, 0);
+    fill_bad(m, p, report);
+    report->cut += quad_cut_bad(m, p->min_eta);
   }
   report->triangles = quad_mesh_triangles(m);
   report->quads = quad_mesh_elements(m) - report->triangles;

@@ -22,8 +22,7 @@ static double cpu()
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-// The dual graph of the triangles of a mesh file.
-static Graph file_graph(const char *path)
+static QuadMesh read_mesh(const char *path)
 {
   Diag *diag = diag_new(true);
   ExitCode status;
@@ -36,11 +35,33 @@ static Graph file_graph(const char *path)
     if (mesh->block[b].type == ELEM_TRI3) tri.insert(tri.end(), mesh->block[b].node, mesh->block[b].node + 3 * mesh->block[b].n);
   QuadMesh m;
   quad_mesh_init(&m, xy.data(), NULL, mesh->nnode, tri.data(), tri.size() / 3, NULL, 0);
-  Graph g = dual_graph(&m);
-  quad_mesh_free(&m);
+  for (size_t b = 0; b < mesh->nblock; b++)
+    for (size_t i = 0; mesh->block[b].type == ELEM_QUAD4 && i < 4 * mesh->block[b].n; i++) vec_push(&m.vertex, mesh->block[b].node[i]);
   mesh_free(mesh);
   diag_free(diag);
+  return m;
+}
+
+// The dual graph of the triangles of a mesh file.
+static Graph file_graph(const char *path)
+{
+  QuadMesh m = read_mesh(path);
+  Graph g = dual_graph(&m);
+  quad_mesh_free(&m);
   return g;
+}
+
+// What a mesh of quads is worth, whoever made it.
+static int measure(const char *name, const char *path)
+{
+  QuadMesh m = read_mesh(path);
+  QuadQuality q = quad_measure(&m);
+  std::printf("%-10s %8zu quads %6zu triangles   eta min %.3f 5%% %.3f mean %.3f   scaled Jacobian %.3f   irregular %.1f %%", name,
+              q.quads, q.triangles, q.eta_min, q.eta_p5, q.eta_mean, q.jacobian_min, 100.0 * (double)q.irregular / (double)q.interior);
+  if (q.triangles == 0) std::printf("   indices %ld/4, chi %ld", q.index_sum4, q.euler);
+  std::printf("\n");
+  quad_mesh_free(&m);
+  return 0;
 }
 
 static bool bench(const char *name, const Graph &g, double lemon_most)
@@ -71,9 +92,10 @@ static bool bench(const char *name, const Graph &g, double lemon_most)
   return good;
 }
 
-// Arguments: largest number of triangles of lattices, and up to which LEMON is run; then mesh files.
+// Arguments: largest number of triangles of lattices, and up to which LEMON is run; then mesh files. Or: measure NAME FILE.
 int main(int argc, char **argv)
 {
+  if (argc == 4 && std::strcmp(argv[1], "measure") == 0) return measure(argv[2], argv[3]);
   double most = argc > 1 ? std::strtod(argv[1], NULL) : 3e5, lemon_most = argc > 2 ? std::strtod(argv[2], NULL) : 3.5e4;
   std::printf("%-28s %9s %9s %9s %9s %7s %8s\n", "graph", "triangles", "solve s", "check s", "LEMON s", "ratio", "swept/n");
   bool good = true;

@@ -1,30 +1,56 @@
 #!/bin/bash
-# quads.sh MESHGEN - recombination side by side with gmsh (where there is one): time and quality of the same models
+# quads.sh MESHGEN BENCH_QUADS [N [LEMON]] - quadrangles side by side: the matching on uniform frontal meshes up to N triangles
+# against LEMON (up to LEMON triangles), the recombination of the same triangles against gmsh's, and the meshes of both.
+# Times are processor seconds of one thread. Without gmsh its lines are left out.
 set -u
-meshgen=$1
+meshgen=$1 bench=$2 most=${3:-300000} lemon=${4:-35000}
 root=$(cd "$(dirname "$0")/../.." && pwd)
 tmp=$(mktemp -d) && trap 'rm -rf "$tmp"' EXIT
-report() { awk '/quadrangles|triangles|eta|tau|irregular|mesh 2D/' "$1" | sed 's/^/    /'; }
-one() { # one NAME FILE OPTIONS...
-  local name=$1 file=$2
-  shift 2
-  echo "$name: $*"
-  if "$meshgen" -2 "$file" "$@" -o "$tmp/m.msh" >"$tmp/m.log" 2>&1; then report "$tmp/m.log"; else echo "    meshgen failed"; fi
-  if command -v gmsh >/dev/null; then
-    local opt=() a
-    for a in "$@"; do opt+=("$a"); done
-    timeout 120 gmsh -2 "$file" "${opt[@]}" -format msh22 -o "$tmp/g.msh" >"$tmp/g.log" 2>&1
-    echo "    gmsh: exit $?; $(grep -ioE 'recombination completed.*|quads, [0-9]+ triangles.*' "$tmp/g.log" | tail -n 1)"
-    "$meshgen" info "$tmp/g.msh" >"$tmp/g.rep" 2>/dev/null && grep -E "quadrangles|eta" "$tmp/g.rep" | sed 's/^/    gmsh: /'
-  fi
-}
-for method in 0 1 3; do
-  one "rectangle" "$root/geo/seed_rectangle.geo" -setnumber Mesh.RecombineAll 1 -setnumber Mesh.RecombinationAlgorithm $method
-done
 cat >"$tmp/square.geo" <<'G'
-h = 0.007;
+DefineConstant[ h = {0.007} ];
 Point(1) = {0, 0, 0, h}; Point(2) = {1, 0, 0, h}; Point(3) = {1, 1, 0, h}; Point(4) = {0, 1, 0, h};
 Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
-Curve Loop(1) = {1:4}; Plane Surface(1) = {1};
+Curve Loop(1) = {1:4};
+Plane Surface(1) = {1};
 G
-one "square h=0.007" "$tmp/square.geo" -setnumber Mesh.RecombineAll 1 -setnumber Mesh.Algorithm 6
+echo "== matching alone, dual graphs of frontal meshes of the square and of lattices"
+files=()
+for n in 10000 31623 48000 100000 316228 1000000; do
+  [ "$n" -le "$most" ] || break
+  h=$(awk "BEGIN { printf \"%.6f\", sqrt(2.31 / $n) }")
+  "$meshgen" -2 "$tmp/square.geo" -setnumber h "$h" -algo front2d -nt 1 -v 1 -no_report -format msh2 -o "$tmp/square_$n.msh" && files+=("$tmp/square_$n.msh")
+done
+"$bench" "$most" "$lemon" "${files[@]}"
+
+seconds() { # seconds COMMAND...: user seconds of it, in $took
+  local TIMEFORMAT=%U
+  took=$( { time timeout 300 "$@" >"$tmp/log" 2>&1; } 2>&1)
+}
+one() { # one TITLE FILE OPTIONS...
+  local file=$2
+  echo "== $1"
+  shift 2
+  seconds "$meshgen" -2 "$file" "$@" -nt 1 -format msh2 -o "$tmp/m.msh"
+  printf '%8.2f s  ' "$took" && "$bench" measure meshgen "$tmp/m.msh"
+  grep -E 'efficiency' "$tmp/log"
+  command -v gmsh >/dev/null || return
+  rm -f "$tmp/g.msh"
+  seconds gmsh -2 "$file" "$@" -nt 1 -format msh22 -o "$tmp/g.msh"
+  if [ -s "$tmp/g.msh" ]; then printf '%8.2f s  ' "$took" && "$bench" measure gmsh "$tmp/g.msh"; else echo "gmsh: no mesh"; fi
+}
+if command -v gmsh >/dev/null; then
+  echo "== recombination of 48,000 triangles: with less without it, seconds"
+  for tool in "$meshgen" gmsh; do
+    seconds "$tool" -2 "$tmp/square.geo" -setnumber h 0.00694 -algo front2d -nt 1 -format msh2 -o "$tmp/x.msh" && plain=$took
+    seconds "$tool" -2 "$tmp/square.geo" -setnumber h 0.00694 -algo front2d -nt 1 -format msh2 -o "$tmp/x.msh" \
+      -setnumber Mesh.RecombineAll 1 && both=$took
+    echo "$(basename "$tool") $(awk "BEGIN { printf \"%.2f\", $both - $plain }")"
+  done
+fi
+for method in 0 1 2 3 4; do
+  one "the book's rectangle, method $method" "$root/geo/seed_rectangle.geo" -setnumber Mesh.RecombineAll 1 -setnumber Mesh.RecombinationAlgorithm $method
+done
+one "the book's rectangle, algorithm 8" "$root/geo/seed_rectangle.geo" -algo delquad -setnumber Mesh.RecombineAll 1
+for algorithm in front2d delquad; do
+  one "square, h = 0.007, $algorithm" "$tmp/square.geo" -algo $algorithm -setnumber Mesh.RecombineAll 1
+done

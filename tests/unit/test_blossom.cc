@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "base/base.h"
 
+#include <cstdlib>
+
 #include "dual_graphs.h"
 
 #include "unit.h"
@@ -62,6 +64,22 @@ void test_random_against_lemon(void **)
 void test_meshes_against_lemon(void **)
 {
   for (uint32_t k = 0; k < 24; k++) expect_lemon(mesh_graph(4 + 2 * k, 0.002 * (k % 5), k % 3 == 2 ? 0.5 : 0, k));
+}
+
+// What `make check-blossom` runs: 150 random graphs and 150 duals of meshes, sizes spread evenly on a logarithmic scale up to 50,000.
+void test_long(void **)
+{
+  if (!std::getenv("TEST_BLOSSOM_LONG")) return;
+  Rng rng = {23};
+  for (int k = 0; k < 150; k++) {
+    uint32_t n = 2 * (uint32_t)std::lround(5 * std::pow(5000.0, k / 149.0));
+    int32_t range = k % 3 == 0 ? 3 : k % 3 == 1 ? 1000 : 1000000;
+    Graph g = random_graph(&rng, n, n * (1 + rng_below(&rng, 3)), range);
+    add_cycle(&g, &rng, range);
+    expect_lemon(g);
+    uint32_t rows = (uint32_t)std::lround(std::sqrt(n / 1.732)) + 2;
+    expect_lemon(mesh_graph(rows, k % 5 == 0 ? 0 : std::pow(10.0, -3 + 2.3 * rng_double(&rng)), k % 4 == 3 ? 0.6 : 0, (uint64_t)k));
+  }
 }
 
 void test_large_mesh_is_certified(void **)
@@ -145,7 +163,7 @@ int main(void)
       cmocka_unit_test(test_brute_force),          cmocka_unit_test(test_random_against_lemon),
       cmocka_unit_test(test_meshes_against_lemon), cmocka_unit_test(test_large_mesh_is_certified),
       cmocka_unit_test(test_barrier),              cmocka_unit_test(test_check_refuses),
-      cmocka_unit_test(test_empty),
+      cmocka_unit_test(test_empty),                cmocka_unit_test(test_long),
   };
   return unit_run(tests);
 }
