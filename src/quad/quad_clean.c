@@ -10,7 +10,7 @@
 #include "quad/quad_mesh.h"
 
 enum { MAX_PATCH = 64, MAX_CORE = 8 };
-static const double PI = 3.14159265358979323846, FLOOR = 0.5, BAD = 0.3, GAIN = 0.01, HOPE = 0;
+static const double PI = 3.14159265358979323846, BAD = 0.3, GAIN = 0.01, HOPE = 0;
 
 // The elements around some vertices (the core), before and after.
 typedef struct {
@@ -124,12 +124,15 @@ static bool patch_end(Clean *c, Patch *p)
   double enough = fmin(p->before, c->floor);
   if (p->before >= c->floor) enough = c->floor;
   if (p->strict) enough = p->before + GAIN;
-  for (int sweep = 0; sweep < 4; sweep++)
+  bool moved = true;
+  for (int sweep = 0; sweep < 4 && moved; sweep++) {
+    moved = false;
     for (size_t i = 0; i < p->ncore; i++) {
       if (m->fixed.data[p->core[i]]) continue;
       size_t n = patch_star(p, p->core[i], corner);
-      if (n) quad__improve(m->xy.data, p->core[i], corner, n, sweep < 2 ? 3 : 5);
+      if (n) moved |= quad__improve(m->xy.data, p->core[i], corner, n, sweep < 2 ? 3 : 5, c->floor);
     }
+  }
   QuadScore now = patch_score(p, m->xy.data);
   bool gained = !p->neutral || now.energy < p->energy - GAIN;
   if (now.worst < enough || !gained || !patch_valid(p, m->xy.data)) {
@@ -295,9 +298,7 @@ static void ideal_valences(Clean *c)
 static void clean_begin(Clean *c, QuadMesh *m)
 {
   size_t nv = m->xy.len + 1;
-  double worst = 1;
-  for (size_t e = 0; e < quad_mesh_elements(m); e++) worst = fmin(worst, quad__shape(m->xy.data, &m->vertex.data[4 * e]));
-  *c = (Clean){.m = m, .stars = quad__stars(m), .twin = quad_mesh_twins(m), .floor = fmax(worst, FLOOR)};
+  *c = (Clean){.m = m, .stars = quad__stars(m), .twin = quad_mesh_twins(m), .floor = quad__floor(m)};
   c->locked = quad__locked_sides(m, c->twin);
   c->boundary = mem_zalloc(nv);
   c->touched = mem_zalloc(nv);

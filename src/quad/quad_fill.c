@@ -62,7 +62,7 @@ static bool ring_search(Ring *r)
         star[4 + k] = r->corner[4 * ((i + 3) % 4) + k];
         star[8 + k] = r->corner[16 + k];
       }
-      quad__improve(r->xy, 4 + i, star, 3, 3);
+      quad__improve(r->xy, 4 + i, star, 3, 3, QUAD_GOOD_SHAPE);
     }
   return worst > 0 && ring_valid(r);
 }

@@ -46,7 +46,11 @@ typedef struct {
 // Of the elements corner[4n].
 QuadScore quad__score(const Vec2 *xy, const uint32_t *corner, size_t n);
 // Move v to a better place for the n elements corner[4n] around it, in `steps` steps of a pattern search that begins with the
-// middle of its neighbours; the worst of them never gets worse. True if v moved.
-bool quad__improve(Vec2 *xy, uint32_t v, const uint32_t *corner, size_t n, int steps);
+// middle of its neighbours; the worst of them never gets worse than it was or than the floor. True if v moved.
+bool quad__improve(Vec2 *xy, uint32_t v, const uint32_t *corner, size_t n, int steps, double floor);
+
+// Elements above this may lose shape to the gain of others, but never beyond the worst of the whole mesh: that is the floor.
+static const double QUAD_GOOD_SHAPE = 0.5;
+double quad__floor(const QuadMesh *m);
 
 #endif

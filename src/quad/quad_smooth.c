@@ -75,21 +75,35 @@ void quad__stars_free(QuadStars *s)
 
 // ---- moving one vertex
 
-// Better: the worst improves, or stays (or remains above GOOD) while the energy falls.
-static const double GOOD = 0.5, LEAST_GAIN = 1e-9;
+// Better: the worst improves, or stays (or remains above the floor) while the energy falls.
+enum { QUICK_STEPS = 2 };
+static const double LEAST_GAIN = 1e-9;
 
-static bool better(QuadScore a, QuadScore b)
+static bool better(QuadScore a, QuadScore b, double floor)
 {
-  if (a.worst > b.worst + LEAST_GAIN && b.worst < GOOD) return true;
-  return (a.worst >= b.worst || a.worst >= GOOD) && a.energy < b.energy - LEAST_GAIN;
+  if (a.worst > b.worst + LEAST_GAIN && b.worst < floor) return true;
+  return (a.worst >= b.worst || a.worst >= floor) && a.energy < b.energy - LEAST_GAIN;
 }
 
-static bool try_point(Vec2 *xy, uint32_t v, const uint32_t *corner, size_t n, Vec2 p, QuadScore *best)
+// The score, given up as soon as it cannot be better than `best` any more.
+static bool score_better(const Vec2 *xy, const uint32_t *corner, size_t n, QuadScore best, double floor, QuadScore *s)
+{
+  *s = (QuadScore){1, 0};
+  for (size_t i = 0; i < n; i++) {
+    double shape = quad__shape(xy, corner + 4 * i);
+    s->worst = fmin(s->worst, shape);
+    s->energy += (1 - shape) * (1 - shape);
+    if (best.worst < floor ? s->worst < best.worst : s->worst < floor || s->energy >= best.energy - LEAST_GAIN) return false;
+  }
+  return better(*s, best, floor);
+}
+
+static bool try_point(Vec2 *xy, uint32_t v, const uint32_t *corner, size_t n, Vec2 p, double floor, QuadScore *best)
 {
   Vec2 old = xy[v];
   xy[v] = p;
-  QuadScore s = quad__score(xy, corner, n);
-  bool good = better(s, *best);
+  QuadScore s;
+  bool good = score_better(xy, corner, n, *best, floor, &s);
   for (size_t i = 0; good && i < n; i++) good = s.worst > 1e-6 || quad__convex(xy, corner + 4 * i);
   if (good) *best = s;
   else xy[v] = old;
@@ -116,19 +130,20 @@ static Vec2 neighbour_mean(const Vec2 *xy, uint32_t v, const uint32_t *corner, s
   return count ? vec2_scale(1.0 / (double)count, sum) : xy[v];
 }
 
-bool quad__improve(Vec2 *xy, uint32_t v, const uint32_t *corner, size_t n, int steps)
+bool quad__improve(Vec2 *xy, uint32_t v, const uint32_t *corner, size_t n, int steps, double floor)
 {
   static const double dir[8][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {0.7, 0.7}, {-0.7, 0.7}, {-0.7, -0.7}, {0.7, -0.7}};
   QuadScore best = quad__score(xy, corner, n);
   double step;
   Vec2 mean = neighbour_mean(xy, v, corner, n, &step);
-  bool moved = try_point(xy, v, corner, n, mean, &best);
-  if (!moved) moved = try_point(xy, v, corner, n, vec2_scale(0.5, vec2_add(mean, xy[v])), &best);
+  bool moved = try_point(xy, v, corner, n, mean, floor, &best);
+  if (!moved) moved = try_point(xy, v, corner, n, vec2_scale(0.5, vec2_add(mean, xy[v])), floor, &best);
+  if (moved && best.worst >= floor && steps <= QUICK_STEPS) return true; // the next pass goes on from here
   step *= 0.2;
   for (int k = 0; k < steps; k++) {
     bool any = false;
     for (int d = 0; d < 8; d++)
-      any |= try_point(xy, v, corner, n, (Vec2){xy[v].x + step * dir[d][0], xy[v].y + step * dir[d][1]}, &best);
+      any |= try_point(xy, v, corner, n, (Vec2){xy[v].x + step * dir[d][0], xy[v].y + step * dir[d][1]}, floor, &best);
     moved |= any;
     if (!any) step /= 2;
   }
@@ -161,13 +176,13 @@ static int worse_first(const void *a, const void *b)
 enum { MAX_STAR = 32, WORST_STEPS = 6 };
 
 // The corners of bad elements, worst element first, with a longer search.
-static void improve_worst(QuadMesh *m, const QuadStars *s, double below)
+static void improve_worst(QuadMesh *m, const QuadStars *s, double floor)
 {
   Vec(Ranked) bad = {0};
   uint32_t corner[4 * MAX_STAR];
   for (uint32_t e = 0; e < quad_mesh_elements(m); e++) {
     double shape = quad__shape(m->xy.data, &m->vertex.data[4 * (size_t)e]);
-    if (shape < below) vec_push(&bad, ((Ranked){shape, e}));
+    if (shape < QUAD_GOOD_SHAPE) vec_push(&bad, ((Ranked){shape, e}));
   }
   if (bad.len) qsort(bad.data, bad.len, sizeof *bad.data, worse_first);
   for (size_t i = 0; i < bad.len; i++)
@@ -175,13 +190,21 @@ static void improve_worst(QuadMesh *m, const QuadStars *s, double below)
       uint32_t v = m->vertex.data[4 * (size_t)bad.data[i].element + (size_t)k];
       if (v == NONE || m->fixed.data[v]) continue;
       size_t n = collect_star(m, s, v, corner, MAX_STAR);
-      if (n) quad__improve(m->xy.data, v, corner, n, WORST_STEPS);
+      if (n) quad__improve(m->xy.data, v, corner, n, WORST_STEPS, floor);
     }
   vec_free(&bad);
 }
 
+double quad__floor(const QuadMesh *m)
+{
+  double worst = 1;
+  for (size_t e = 0; e < quad_mesh_elements(m); e++) worst = fmin(worst, quad__shape(m->xy.data, &m->vertex.data[4 * e]));
+  return fmax(worst, QUAD_GOOD_SHAPE);
+}
+
 void quad_smooth(QuadMesh *m, int passes)
 {
+  double floor = quad__floor(m);
   QuadStars s = quad__stars(m);
   uint32_t corner[4 * MAX_STAR];
   uint8_t *still = mem_zalloc(m->xy.len + 1); // vertices that did not move in the last pass, nor their neighbours
@@ -190,11 +213,11 @@ void quad_smooth(QuadMesh *m, int passes)
       if (m->fixed.data[v] || (pass > 0 && still[v])) continue;
       still[v] = 1;
       size_t n = collect_star(m, &s, v, corner, MAX_STAR);
-      if (n && quad__improve(m->xy.data, v, corner, n, 2))
+      if (n && quad__improve(m->xy.data, v, corner, n, 2, floor))
         for (size_t i = 0; i < 4 * n; i++)
           if (corner[i] != NONE) still[corner[i]] = 0;
     }
-    improve_worst(m, &s, GOOD);
+    improve_worst(m, &s, floor);
   }
   free(still);
   quad__stars_free(&s);
