@@ -219,6 +219,7 @@ static void do_command(Walk *w, CommandId id)
   case CMD_SYNC: c->sync = true; break;
   case CMD_EXPLAIN_SIZE: c->explain = next_word(w, "explain_size"); break;
   case CMD_ALGO: set_algorithm(w); break;
+  case CMD_HEAL: set_named(w, "Heal", 1); break;
   case CMD_QUAD:
     set_named(w, "RecombineAll", 1);
     set_named(w, "RecombinationAlgorithm", 2);

@@ -101,10 +101,9 @@ static bool generate(Job *j, int dim)
   stage_end(&j->stats);
   if (!good) return false;
   if (dim == 3) log_info(j->diag, "volumes are not meshed: meshing points, curves and surfaces only");
-  SizeField *size = size_new(j->model, &j->options, j->fields, j->diag);
-  if (!size) return false;
+  SizeField *size;
   stage_begin(&j->stats, "mesh 1D");
-  j->curves = mesh1d_new(j->model, &j->options, size, j->diag);
+  j->curves = mesh1d_heal(j->model, &j->options, j->fields, &size, j->diag);
   if (j->curves && dim >= 2) mesh1d_limit_faces(j->curves, size);
   stage_end(&j->stats);
   if (j->curves) {

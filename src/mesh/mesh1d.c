@@ -284,17 +284,22 @@ static bool mesh_curves(Mesher1d *d, int threads)
   if (!check_total(d)) return false;
   mesh1d__settle_parity(d);
   thread_for(d->g->ncurve, threads, place_one, d);
-  return resolve_copies(d) && mesh1d_untangle(d->g, d->opt, d->diag);
+  return resolve_copies(d) && mesh1d__untangle(d->g, d->opt, d->meet, d->diag);
 }
 
 Mesh1d *mesh1d_new(const Model *m, const Options *opt, const SizeField *size, Diag *diag)
+{
+  return mesh1d_try(m, opt, size, NULL, diag);
+}
+
+Mesh1d *mesh1d_try(const Model *m, const Options *opt, const SizeField *size, CurveMeetings *meet, Diag *diag)
 {
   Mesh1d *g = mem_zalloc(sizeof *g);
   g->model = m;
   g->ncurve = model_curves(m);
   g->curve = mem_zalloc((g->ncurve + 1) * sizeof *g->curve);
   int threads = opt->General_NumThreads;
-  Mesher1d d = {.m = m, .opt = opt, .size = size, .diag = diag, .g = g, .workers = thread_count(threads)};
+  Mesher1d d = {.m = m, .opt = opt, .size = size, .diag = diag, .meet = meet, .g = g, .workers = thread_count(threads)};
   d.work = mem_zalloc((g->ncurve + 1) * sizeof *d.work);
   d.sink = mem_zalloc((g->ncurve + 1) * sizeof *d.sink);
   d.eval = mem_alloc((size_t)d.workers * sizeof *d.eval);

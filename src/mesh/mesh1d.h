@@ -36,6 +36,23 @@ typedef struct {
 Mesh1d *mesh1d_new(const Model *m, const Options *opt, const SizeField *size, Diag *diag);
 void mesh1d_free(Mesh1d *g); // NULL is fine
 
+// A place where a curve has to be cut because another one (or itself) is there: at parameter u, `at`, where `point` stands if
+// that is not 0.
+typedef struct {
+  int curve, point;
+  double u;
+  Vec3 at;
+} CurveMeeting;
+typedef Vec(CurveMeeting) CurveMeetings;
+
+// The same, but curves that meet and may be split do not make an error: then NULL, and `meet` says where. May be split: embedded
+// curves that meet each other or that touch the boundary from inside; with Mesh.Heal all.
+Mesh1d *mesh1d_try(const Model *m, const Options *opt, const SizeField *size, CurveMeetings *meet, Diag *diag);
+
+// Mesh all curves, splitting them in the model (and in the lists of curves of the fields) where they meet, until none does; at
+// most Mesh.MaxRetries times. *size gets the sizes of the model as it then is (size_free), also where NULL is returned. heal.c
+Mesh1d *mesh1d_heal(Model *m, const Options *opt, FieldSet *fields, SizeField **size, Diag *diag);
+
 // Mesh of the curve of that tag (sign ignored); NULL if there is no such curve. O(1).
 CurveMesh *mesh1d_curve(const Mesh1d *g, int tag);
 // Index k of a curve's mesh, as in model_curve_at; NONE if there is no such curve. O(log n).

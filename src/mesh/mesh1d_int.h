@@ -39,6 +39,7 @@ typedef struct {
   const Options *opt;
   const SizeField *size;
   Diag *diag;
+  CurveMeetings *meet; // where curves may be split; NULL: that is an error
   Mesh1d *g;
   CurveWork *work;   // per curve
   SizeEval **eval;   // per worker
@@ -56,6 +57,9 @@ void mesh1d__release(CurveWork *w);
 
 // Even numbers of segments around every recombined face. mesh1d_parity.c
 void mesh1d__settle_parity(Mesher1d *d);
+
+// mesh1d_untangle that gathers places where curves may be split, unless `meet` is NULL. False too when there are any.
+bool mesh1d__untangle(Mesh1d *g, const Options *opt, CurveMeetings *meet, Diag *diag);
 
 // Give g->curve[k] room for n nodes.
 void mesh1d__resize(CurveMesh *cm, uint32_t n);

@@ -233,7 +233,7 @@ static void merge_points(Model *m, Merged *g)
 // Where start, centre and end are in line the plane decides which half circle it is.
 static bool plane_matters(const Model *m, const Curve *c)
 {
-  if (c->arc || !c->has_plane || (c->type != CURVE_CIRCLE && c->type != CURVE_ELLIPSE)) return false;
+  if (c->arc || (c->type != CURVE_CIRCLE && c->type != CURVE_ELLIPSE)) return false;
   Vec3 o = point__get(m, c->point[1])->xyz;
   Vec3 a = vec3_sub(point__get(m, c->begin)->xyz, o), b = vec3_sub(point__get(m, c->end)->xyz, o);
   return vec3_length(vec3_cross(a, b)) <= 1e-12 * vec3_length(a) * vec3_length(b);
@@ -290,6 +290,23 @@ static bool same_arc(const Arc *a, const Arc *b, bool back)
   return true;
 }
 
+static bool same_pieces(const Pieces *a, const Pieces *b, bool back)
+{
+  if (!a || !b) return a == b;
+  if (a->degree != b->degree || a->npiece != b->npiece) return false;
+  int n = a->npiece * (a->degree + 1);
+  double tol = 0;
+  for (int i = 0; i < n; i++) tol = fmax(tol, vec3_distance(a->control[i], a->control[0]));
+  for (int i = 0; i < n; i++)
+    if (vec3_distance(a->control[i], b->control[back ? n - 1 - i : i]) > 1e-9 * tol) return false;
+  return true;
+}
+
+static bool same_way(const Curve *a, const Curve *b, bool back)
+{
+  return same_controls(a, b, back) && same_arc(a->arc, b->arc, back) && same_pieces(a->pieces, b->pieces, back);
+}
+
 // 1: the same curve, -1: its reverse, 0: another.
 static int same_curve(const Model *m, const Curve *a, const Curve *b)
 {
@@ -297,9 +314,8 @@ static int same_curve(const Model *m, const Curve *a, const Curve *b)
   bool planes = plane_matters(m, a) || plane_matters(m, b);
   Vec3 na = a->has_plane ? a->plane : (Vec3){0, 0, 1}, nb = b->has_plane ? b->plane : (Vec3){0, 0, 1};
   double along = planes ? vec3_dot(na, nb) / (vec3_length(na) * vec3_length(nb)) : 1;
-  if (same_controls(a, b, false) && same_arc(a->arc, b->arc, false) && along > 1 - 1e-9) return 1;
-  if (same_controls(a, b, true) && same_arc(a->arc, b->arc, true) && (!planes || along < -1 + 1e-9)) return -1;
-  return 0;
+  if (same_way(a, b, false) && along > 1 - 1e-9) return 1;
+  return same_way(a, b, true) && (!planes || along < -1 + 1e-9) ? -1 : 0;
 }
 
 // Does the mesh of curve `from` come, copy by copy, from that of curve `to`?

@@ -292,11 +292,22 @@ static CurveShape *given_arc(const Model *m, const Curve *c)
   return h;
 }
 
+static CurveShape *given_pieces(const Model *m, const Curve *c)
+{
+  const Pieces *p = c->pieces;
+  CurveShape *h = new_pieces(m, c, p->degree, p->npiece);
+  h->uniform = p->npiece == 1;
+  memcpy(h->knot, p->knot, ((size_t)p->npiece + 1) * sizeof *h->knot);
+  memcpy(h->control, p->control, (size_t)p->npiece * (size_t)(p->degree + 1) * sizeof *h->control);
+  return h;
+}
+
 bool curve__build(Model *m, Curve *c, Diag *diag)
 {
   curve__release(c);
   CurveShape *h = NULL;
-  switch (c->type) {
+  if (c->pieces) h = given_pieces(m, c);
+  else switch (c->type) {
   case CURVE_LINE: return true;
   case CURVE_POLYLINE: h = polyline(m, c); break;
   case CURVE_CIRCLE: h = c->arc ? given_arc(m, c) : circle(m, c, diag); break;

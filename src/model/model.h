@@ -52,6 +52,13 @@ typedef struct {
   double t0, t1;
 } Arc;
 
+// A spline by its Bezier pieces, which cover [0, 1] between the knots; control holds npiece * (degree + 1) points.
+typedef struct {
+  int degree, npiece;
+  double *knot; // npiece + 1
+  Vec3 *control;
+} Pieces;
+
 // Layers of an extrusion (Layers{{n..},{h..}}): counts per layer and cumulative heights, ending at 1. n == 0: none given.
 typedef struct {
   int n;
@@ -72,6 +79,7 @@ typedef struct {
   Vec3 plane;
   const PolarSphere *sphere; // drawn in its plane, as all its points are (never circles, ellipses); else NULL
   Arc *arc;               // CURVE_CIRCLE, CURVE_ELLIPSE given by numbers: then point is {start, end}; else NULL
+  Pieces *pieces;         // part of a spline that was split (model_split_curve_at): then point is {start, end}; else NULL
   SrcLoc loc;
 
   // how to mesh it

@@ -122,8 +122,27 @@ bool model_extrude(Model *m, const Shape *shape, size_t n, const Sweep *sweep, S
 // What higher entities use stays, silently, and unknown tags are ignored, as in Gmsh. recursive: boundaries too.
 void model_delete(Model *m, const Shape *shape, size_t n, bool recursive);
 void model_delete_all(Model *m); // Delete Model / Delete All: everything but the settings
+// Delete a curve that no face uses, and let groups forget it.
+void model_forget_curve(Model *m, int tag);
+void model_forget_face(Model *m, int tag); // one that no volume uses
 // Split Curve {tag} Point {p..}: new curves, appended to out; loops and groups follow.
 bool model_split_curve(Model *m, int tag, const int *point, size_t n, IntVec *out, SrcLoc loc, Diag *diag);
+// Cut a prepared curve at the parameters u[] (ascending, inside (0, 1)), where the points point[] stand (within the tolerance).
+// Exact for every type of curve. The first part keeps the tag; all parts, in order, are appended to `part`. Loops, groups and
+// lists of embedded curves follow; counts of a transfinite curve are shared out by length.
+// What made the curve a copy of another, or another a copy of it, is dropped. The model must be prepared again. O(model).
+typedef struct {
+  double u;
+  int point;
+} CurveCut;
+void model_split_curve_at(Model *m, int tag, const CurveCut *cut, size_t n, IntVec *part);
+// Bound a face by other curves (signed tags, head to tail, one closed loop after the other), and embed others in it.
+typedef struct {
+  IntVec bounds, curves, points; // bounding curves, embedded curves and points
+} FaceBoundary;
+void model_set_face_boundary(Model *m, int face, const FaceBoundary *b);
+// A new plane face of those curves, meshed as `face` is and in the same groups. Returns its tag.
+int model_add_face_part(Model *m, int face, const FaceBoundary *b);
 
 // ---- queries ---------------------------------------------------------------------------------------------------------------
 // Boundary / CombinedBoundary of shapes. oriented: with signs (Gmsh before 4.15, and OrientedBoundary).

@@ -152,6 +152,11 @@ void model__forget_curve(Model *m, Curve *c);
 void model__forget_face(Model *m, Face *f);
 void model__index_free(Model *m);
 
+// split.c
+// Put `part` (head to tail, signed) in the place of curve `tag` in loops, groups and lists of embedded curves.
+void model__replace_curve(Model *m, int tag, const IntVec *part);
+Pieces *pieces__copy(Model *m, const Pieces *p, bool back);
+
 // transform.c
 void model__transform_shape(Model *m, int dim, int tag, const Affine *a);
 int model__copy_point(Model *m, int tag, SrcLoc loc);

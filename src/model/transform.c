@@ -159,6 +159,11 @@ static void turn_planes(Model *m, const IntVec *curve, const Affine *a)
       move_arc(c->arc, a);
       continue;
     }
+    if (c->pieces) {
+      int count = c->pieces->npiece * (c->pieces->degree + 1);
+      for (int k = 0; k < count; k++) c->pieces->control[k] = affine_apply(a, c->pieces->control[k]);
+      continue;
+    }
     if (c->type != CURVE_CIRCLE && c->type != CURVE_ELLIPSE) continue;
     Vec3 n = apply_to_normal(a, c->has_plane ? c->plane : (Vec3){0, 0, 1});
     double length = vec3_length(n);
@@ -257,6 +262,7 @@ int model__copy_curve(Model *m, int signed_tag, SrcLoc loc)
     d->knot = arena_dup(&m->arena, c->knot, (size_t)c->nknot * sizeof *c->knot);
     for (int i = 0; back && i < c->nknot; i++) d->knot[i] = c->knot[0] + c->knot[c->nknot - 1] - c->knot[c->nknot - 1 - i];
   }
+  if (c->pieces) d->pieces = pieces__copy(m, c->pieces, back);
   if (c->arc) {
     d->arc = arena_dup(&m->arena, c->arc, sizeof *c->arc);
     if (back) d->arc->t0 = c->arc->t1, d->arc->t1 = c->arc->t0;

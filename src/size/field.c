@@ -126,6 +126,25 @@ const Field *field__find(const FieldSet *f, int id)
   return i < f->field.len && f->field.data[i].id == id ? &f->field.data[i] : NULL;
 }
 
+void fields_add_parts(FieldSet *f, int dim, int tag, const int *part, size_t n)
+{
+  const char *list = dim == 1 ? "CurvesList" : "SurfacesList";
+  for (size_t i = 0; i < f->field.len; i++) {
+    Field *field = &f->field.data[i];
+    const FieldType *type = field__type(field->kind);
+    for (int k = 0; k < type->noption; k++) {
+      FieldValue *v = &field->value[k];
+      if (type->option[k].kind != FIELD_LIST || strcmp(type->option[k].name, list) != 0) continue;
+      size_t before = v->nlist;
+      for (size_t j = 0; j < before; j++) {
+        if (v->list[j] != tag && v->list[j] != -tag) continue;
+        v->list = mem_realloc(v->list, (v->nlist + n) * sizeof *v->list);
+        for (size_t q = 1; q < n; q++) v->list[v->nlist++] = part[q];
+      }
+    }
+  }
+}
+
 bool field_exists(const FieldSet *f, int id)
 {
   return field__find(f, id) != NULL;

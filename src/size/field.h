@@ -25,6 +25,10 @@ bool field_set_list(FieldSet *f, int id, const char *option, const double *value
 bool field_delete(FieldSet *f, int id, SrcLoc loc, Diag *diag);
 void fields_clear(FieldSet *f); // Delete All / Delete Model: fields and background; views stay
 
+// The curve or surface (dim 1, 2) `tag` was cut in n parts, the first of which keeps the tag: the others join it in the lists of
+// all fields.
+void fields_add_parts(FieldSet *f, int dim, int tag, const int *part, size_t n);
+
 bool field_exists(const FieldSet *f, int id);
 int fields_max_id(const FieldSet *f); // 0 if there is none; newf is one more
 
