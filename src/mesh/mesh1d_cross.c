@@ -369,7 +369,7 @@ static void curves_meet(Untangler *t, const Plane *plane, uint32_t ka, uint32_t 
   const Curve *a = model_curve_at(m, ka), *b = model_curve_at(m, kb);
   if (may_split(t, ka, kb, how == SEG_CROSS ? SEG_TOUCH : how) && meet_at_ends(t, a, b) + meet_at_ends(t, b, a) > 0) return;
   if (!may_split(t, ka, kb, how == SEG_TOUCH ? SEG_CROSS : how)) {
-    if (!report_leaving(t, ka, kb, at) && !report_leaving(t, kb, ka, at)) report_crossing(t, a, b, at, how);
+    if (how != SEG_CROSS || (!report_leaving(t, ka, kb, at) && !report_leaving(t, kb, ka, at))) report_crossing(t, a, b, at, how);
     return;
   }
   if (is_line(a) && is_line(b)) lines_cross(m, plane->frame, a, b, &at);
