@@ -139,6 +139,17 @@ check-predicates:
 	$(Q)$(MAKE) --no-print-directory unit
 	$(Q)PREDICATE_CASES=$(or $(CASES),10000000) $(B)/unit/test_predicates
 
+# Each fuzzer runs FUZZ_SECONDS over a corpus kept between runs in build/fuzz/corpus-<name>; what it finds stays in build/fuzz.
+FUZZ_SECONDS ?= 60
+.PHONY: fuzz run-fuzz
+## fuzz: libFuzzer over scripts and mesh files, FUZZ_SECONDS (60) each; finds are left in build/fuzz
+fuzz:
+	$(Q)sh tests/install-packages.sh build asan test
+	$(Q)$(MAKE) --no-print-directory CONFIG=fuzz CC=clang CXX=clang++ run-fuzz
+
+run-fuzz: $(LIB)
+	$(Q)sh tests/fuzz/run.sh "$(CC) $(CFLAGS_ALL) -fsanitize=fuzzer" "$(LIB) -lstdc++ $(LIBS)" $(B) $(FUZZ_SECONDS)
+
 .PHONY: check-layers check-headers style metrics coverage
 ## check-layers: which folder includes which, against the table of docs/architecture.md
 check-layers:
