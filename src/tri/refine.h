@@ -30,8 +30,8 @@ typedef struct {
   // Wanted edge length at a point of the face, positive; NULL: only the boundary's.
   SizeAt size;
   void *size_ctx;
-  // Let sizes extend from the boundary into the face: each initial vertex carries the length of its shortest edge in the initial
-  // triangulation (at least half its shortest segment; with REFINE_ADAPT, its shortest segment), interpolated linearly; the wanted size is the smaller of this and size().
+  // Let sizes extend from the boundary into the face: each initial vertex carries the mean length of the segments at it (without
+  // segments, of its shortest edge), interpolated linearly; the wanted size is the smaller of this and size().
   // Always on where size is NULL.
   bool extend_from_boundary;
   // Upper bound of the carried size of each initial vertex, such as the size asked for at an embedded point; NULL: none.

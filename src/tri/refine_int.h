@@ -126,6 +126,13 @@ size_t refine__flips(Refiner *r);
 bool refine__relocate(Refiner *r, VertId v);
 // The same for the worst triangle around v alone, by pattern search. Dearer.
 bool refine__relocate_worst(Refiner *r, VertId v);
+// Flip e, which may be flipped.
+void refine__flip(Refiner *r, EdgeId e);
+// Arrays by vertex keep up with a new vertex of the triangulation, free to move.
+void refine__added_vertex(Refiner *r, VertId v, double size, double carried);
+// The worst `most` triangles below `least` (kappa_4^2) by trials of flips, collapses and splits, in rounds while that helps.
+// About 100 us for a triangle. Collapses leave isolated vertices.
+void refine__rework(Refiner *r, double least, size_t most, int rounds);
 void refine__optimize(Refiner *r, int level);
 
 #endif

@@ -88,8 +88,7 @@ void refine__saturate(Refiner *r)
 
 // ---- sweeps ------------------------------------------------------------------------------------------------------
 
-// Arrays by vertex keep up with the triangulation.
-static void added_vertex(Refiner *r, VertId v, double size, double carried)
+void refine__added_vertex(Refiner *r, VertId v, double size, double carried)
 {
   if (v >= r->cap_v) {
     r->cap_v = r->m->cap_v;
@@ -130,7 +129,7 @@ static size_t split_long(Refiner *r)
     double h = refine__size_at(r, p, tri_of(e), &carried);
     VertId v = tri_split_edge(m, p, e);
     if (v == NONE) continue;
-    added_vertex(r, v, h, carried);
+    refine__added_vertex(r, v, h, carried);
     refine__wake_around(r, v);
     r->stats->inserted++, n++;
   }

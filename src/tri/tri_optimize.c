@@ -6,6 +6,9 @@
 // A star is worth a visit if one of its triangles has 1/kappa_4^2 above this: a lattice is left alone.
 #define GOOD 1.005
 
+// Triangles of a mesh called small; triangles that one round of rework looks at.
+enum { SMALL_FACE = 20000, REWORKED = 400 };
+
 typedef struct {
   double sum, worst; // of 1/kappa_4^2
 } Worth;
@@ -32,7 +35,7 @@ static Worth patch_worth(const Tri *m, const VertId *q)
   return w;
 }
 
-static void flip(Refiner *r, EdgeId e)
+void refine__flip(Refiner *r, EdgeId e)
 {
   Tri *m = r->m;
   r->excess[tri_org(m, e)]--, r->excess[tri_dest(m, e)]--;
@@ -125,7 +128,7 @@ static bool try_flip(Refiner *r, EdgeId e, bool worst)
   Worth before = patch_worth(m, q);
   Saved saved = save(r, q);
   double floor = r->floor;
-  flip(r, e);
+  refine__flip(r, e);
   r->floor = INFINITY; // the flip may have made them bad at first
   for (int pass = 0; pass < 3; pass++)
     for (int k = 0; k < 4; k++)
@@ -139,7 +142,7 @@ static bool try_flip(Refiner *r, EdgeId e, bool worst)
     return true;
   }
   restore(r, &saved);
-  flip(r, e);
+  refine__flip(r, e);
   return false;
 }
 
@@ -157,7 +160,7 @@ size_t refine__flips(Refiner *r)
     double q = metric_quality(a, b, c), s = metric_quality(b, a, d), worse = q < s ? q : s;
     if (metric_quality(c, d, b) <= worse + 1e-6 || metric_quality(d, c, a) <= worse + 1e-6) continue;
     if (!tri_can_flip(m, e)) continue;
-    flip(r, e);
+    refine__flip(r, e);
     n++;
   }
   r->stats->flips += n;
@@ -304,4 +307,7 @@ void refine__optimize(Refiner *r, int level)
   }
   double mended = valences ? 0.8 : 0.66;
   for (int k = 0; k < 2 * level && mend_worst(r, mended); k++) continue;
+  // Small faces are nearly all boundary: there everything is tried. In large ones the cost stays out of sight.
+  if (r->m->nt < SMALL_FACE) refine__rework(r, 0.92, REWORKED, 3 + 3 * level);
+  else refine__rework(r, mended, REWORKED, 2);
 }

@@ -17,28 +17,28 @@ static double ask_size(const Refiner *r, const double *p)
   return r->p->size(r->p->size_ctx, (Vec2){p[0], p[1]});
 }
 
-// Each initial vertex carries the length of its shortest edge, but no less than half its shortest segment: so narrow gaps are
-// refined, and a stray vertex near a segment is not. MeshAdapt goes by the segments alone, as Gmsh's does.
+// Each initial vertex carries the mean length of the segments at it: where a long one meets a short one, the triangles between
+// must be a compromise. Vertices without segments, such as embedded points, carry their shortest edge.
 static void carry_from_boundary(Refiner *r)
 {
   const Tri *m = r->m;
-  double *segment = mem_alloc(m->nv * sizeof *segment);
-  for (VertId v = 0; v < m->nv; v++) r->carried[v] = segment[v] = INFINITY;
+  double *sum = mem_zalloc(m->nv * sizeof *sum);
+  uint32_t *count = mem_zalloc(m->nv * sizeof *count);
+  for (VertId v = 0; v < m->nv; v++) r->carried[v] = INFINITY;
   for (EdgeId e = 0; e < 3 * m->nt; e++) {
     if (!tri_is_inside(m, tri_of(e))) continue;
     VertId a = tri_org(m, e), b = tri_dest(m, e);
-    double d = metric_distance2(tri_xy(m, a), tri_xy(m, b));
+    double d = sqrt(metric_distance2(tri_xy(m, a), tri_xy(m, b)));
     r->carried[a] = fmin(r->carried[a], d), r->carried[b] = fmin(r->carried[b], d);
-    if (tri_is_segment(m, e)) segment[a] = fmin(segment[a], d), segment[b] = fmin(segment[b], d);
+    if (tri_is_segment(m, e)) sum[a] += d, sum[b] += d, count[a]++, count[b]++;
   }
   for (VertId v = 0; v < m->nv; v++) {
-    double s = sqrt(segment[v]);
-    r->carried[v] = sqrt(r->carried[v]);
-    if (isfinite(s)) r->carried[v] = r->p->algorithm == REFINE_ADAPT ? s : fmax(r->carried[v], 0.5 * s);
+    if (count[v]) r->carried[v] = sum[v] / count[v];
     if (r->p->vertex_size) r->carried[v] = fmin(r->carried[v], r->p->vertex_size[v]);
     if (!isfinite(r->carried[v])) r->carried[v] = 1; // an isolated vertex, which nobody will ask
   }
-  free(segment);
+  free(sum);
+  free(count);
 }
 
 static void initial_sizes(Refiner *r)
