@@ -8,3 +8,8 @@ $(B)/bench/%: tests/bench/%.c $(LIB)
 ## bench-mesh: our refinement and gmsh side by side: time and quality
 bench-mesh: $(B)/bench/bench_refine meshgen
 	bash tests/bench/mesh.sh $(B)/bench/bench_refine ./meshgen
+
+.PHONY: docs-quality
+## docs-quality: docs/quality.md anew: triangles of every face of geo/, ours and gmsh's
+docs-quality: meshgen
+	/usr/bin/python3 tests/bench/quality.py --page docs/quality.md geo geo/conge.geo@0.3 geo/conge.geo@0.1
