@@ -482,7 +482,7 @@ static void plan_face(const Planner *p, FaceLayers *f, const Face *face)
 
 static bool face_has_layers(const Planner *p, const Face *face)
 {
-  if (!face->planar || face->transfinite || (face->extruded_curve && face->layers.n)) return false;
+  if (!face->planar || face->united || face->transfinite || (face->extruded_curve && face->layers.n)) return false;
   IntVec curve = {0}, start = {0};
   bool found = false;
   face_boundary(p->m, face, &curve, &start);

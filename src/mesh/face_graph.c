@@ -87,23 +87,31 @@ static int compare_abs(const void *a, const void *b)
   return (x > y) - (x < y);
 }
 
-void face_graph_visit(const Model *m, const Face *f, const FaceVisitor *v, void *ctx)
+static void visit_embedded(const Model *m, const Face *f, const FaceVisitor *v, void *ctx, const IntVec *bounding)
 {
-  IntVec curve = {0}, start = {0};
-  face_boundary(m, f, &curve, &start);
-  qsort(curve.data, curve.len, sizeof *curve.data, compare_abs);
-  for (size_t i = 0, j; i < curve.len; i = j) {
-    for (j = i; j < curve.len && abs(curve.data[j]) == abs(curve.data[i]);) j++;
-    v->curve(ctx, curve.data[i], (j - i) % 2 == 0);
-  }
   for (size_t i = 0; i < f->embedded_curves.len; i++) {
     int tag = f->embedded_curves.data[i];
-    if (!curve.len || !bsearch(&tag, curve.data, curve.len, sizeof tag, compare_abs)) v->curve(ctx, tag, true);
+    if (!bounding->len || !bsearch(&tag, bounding->data, bounding->len, sizeof tag, compare_abs)) v->curve(ctx, tag, true);
   }
   for (size_t i = 0; i < f->embedded_points.len; i++) {
     uint32_t node = edge_nodes_point(m, f->embedded_points.data[i]);
     if (node != NONE) v->point(ctx, node);
   }
+}
+
+void face_graph_visit(const Model *m, const Face *f, const FaceVisitor *v, void *ctx)
+{
+  IntVec curve = {0}, start = {0};
+  if (f->united) face_boundary_united(m, f, &curve);
+  else face_boundary(m, f, &curve, &start);
+  qsort(curve.data, curve.len, sizeof *curve.data, compare_abs);
+  for (size_t i = 0, j; i < curve.len; i = j) {
+    for (j = i; j < curve.len && abs(curve.data[j]) == abs(curve.data[i]);) j++;
+    v->curve(ctx, curve.data[i], (j - i) % 2 == 0);
+  }
+  visit_embedded(m, f, v, ctx, &curve);
+  for (size_t k = 0; f->united && k < model_faces(m); k++)
+    if (model_face_at(m, k) != f && model_face_at(m, k)->united == f->tag) visit_embedded(m, model_face_at(m, k), v, ctx, &curve);
   vec_free(&curve);
   vec_free(&start);
 }

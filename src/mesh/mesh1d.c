@@ -15,7 +15,7 @@
 
 static CurveRule rule_of(const Mesher1d *d, const Curve *c)
 {
-  double length = c->degenerate ? 0 : curve_length(d->m, c);
+  double length = c->degenerate || c->dissolved ? 0 : curve_length(d->m, c);
   if (!(length > 0) || length <= d->opt->Mesh_ToleranceEdgeLength) return RULE_NONE;
   if (c->copy_of || c->periodic_master) return RULE_COPY;
   if (c->extruded_point && c->layers.n > 0) return RULE_LAYERS;

@@ -185,8 +185,8 @@ static void mesh_one(void *ctx, size_t i, int worker)
 {
   Driver *d = ctx;
   size_t k = d->order[i];
-  if (d->source[k] != NONE) return;
   const Face *f = model_face_at(d->in->model, k);
+  if (d->source[k] != NONE || (f->united && f->united != f->tag)) return; // its elements are those of another face
   check_context("mesh 2D", f->tag);
   if (structured_face(d->in, f, d->nodes, &d->face[k], d->diag[k])) return;
   if (extruded_face(d->in, f, d->nodes, &d->face[k], d->diag[k])) return;

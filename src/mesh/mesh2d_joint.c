@@ -372,7 +372,7 @@ static void extract_plane(const Plane *p, const EdgeNodes *nodes, const U32Vec *
 static bool is_apart(const Mesh2dInput *in, size_t k)
 {
   const Face *f = model_face_at(in->model, k);
-  return f->transfinite || (f->extruded_curve && f->layers.n > 0) || (f->type == FACE_FILLING && !f->planar) ||
+  return f->united || f->transfinite || (f->extruded_curve && f->layers.n > 0) || (f->type == FACE_FILLING && !f->planar) ||
          boundary_layers_on(in->layers, k);
 }
 

@@ -12,6 +12,11 @@ static void set_box(MeshEntity *e, Box3 b)
 
 static Box3 box_union(Box3 a, Vec3 lo, Vec3 hi) { return box3_with(box3_with(a, lo), hi); }
 
+static void add_embedded(MeshEntity *e, const Face *f)
+{
+  for (size_t i = 0; i < f->embedded_curves.len; i++) vec_push(&e->embedded, f->embedded_curves.data[i]);
+}
+
 static void add_entities(Mesh *mesh, const Model *m)
 {
   for (size_t k = 0; k < model_points(m); k++) {
@@ -31,7 +36,8 @@ static void add_entities(Mesh *mesh, const Model *m)
     const Face *f = model_face_at(m, k);
     uint32_t id = mesh_add_entity(mesh, 2, f->tag);
     IntVec curve = {0}, start = {0};
-    face_boundary(m, f, &curve, &start);
+    if (f->united && f->united == f->tag) face_boundary_united(m, f, &curve);
+    else face_boundary(m, f, &curve, &start);
     Box3 box = box3_empty();
     for (size_t i = 0; i < curve.len; i++) {
       uint32_t c = mesh_find_entity(mesh, 1, abs(curve.data[i]));
@@ -40,7 +46,9 @@ static void add_entities(Mesh *mesh, const Model *m)
     MeshEntity *e = &mesh->entity[id];
     set_box(e, box);
     e->boundary = curve;
-    for (size_t i = 0; i < f->embedded_curves.len; i++) vec_push(&e->embedded, f->embedded_curves.data[i]);
+    add_embedded(e, f);
+    for (size_t i = 0; f->united == f->tag && f->united && i < model_faces(m); i++)
+      if (i != k && model_face_at(m, i)->united == f->tag) add_embedded(e, model_face_at(m, i));
     vec_free(&start);
   }
 }

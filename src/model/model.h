@@ -94,6 +94,7 @@ typedef struct {
   int compound;           // > 0: member of the compound curve of this index (Compound Curve {...})
   bool reverse_mesh;      // Reverse Curve
   bool degenerate;        // Degenerated Curve
+  bool dissolved;         // between two faces of a Compound Surface: has no mesh (made by model_prepare)
   void *shape;            // evaluation data of curve_*.c, made by model_prepare
   uint32_t uses, in_loops; // by faces, by loops
 } Curve;
@@ -144,6 +145,7 @@ typedef struct {
   const PolarSphere *sphere; // all boundary curves are on it: face_to_plane is its projection then, in units of length at the pole
   Vec3 origin, axis_u, axis_v, normal; // orthonormal frame of the face's plane; (0,0,0),x,y,z when it lies in z = 0
                                        // (a clockwise outer loop there has normal -z, axis_u = x and axis_v = -y)
+  int united;             // tag of the face that this one is meshed with as one (Compound Surface), its own if it is that face; or 0
   bool planar;            // all boundary points are in that plane within Geometry.Tolerance
 } Face;
 
@@ -194,6 +196,10 @@ Box3 model_bounds(const Model *m);
 // caller (vec_free) and are overwritten. `start` gets the index at which each closed loop begins and the total: start.len - 1 closed loops (more
 // than nloop where one Loop lists several closed ones; then the one around the others comes first).
 void face_boundary(const Model *m, const Face *f, IntVec *curve, IntVec *start);
+
+// The curves that bound f and all faces united with it, but for those that dissolve: loop after loop,
+// and then those that are between united faces and stay, forth and back. O(faces + curves squared).
+void face_boundary_united(const Model *m, const Face *f, IntVec *curve);
 
 // ---- curves as maps from u in [0,1] (curve.c) ----------------------------------------------------------------------
 // Position and derivatives with respect to u. Exact formulas; O(1) after model_prepare (Bezier O(n)). At u = 0 and 1 the

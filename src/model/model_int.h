@@ -179,6 +179,10 @@ void curve__release(Curve *c);
 // sphere.c
 const PolarSphere *sphere__of_points(const Model *m, const int *point, int n); // of them all, or NULL
 
+// compound.c: set Face.united and Curve.dissolved. Plane faces of one compound and one plane are united across curves that bound nothing
+// else and are in no group, if they are in the same groups. tolerance: Geometry.Tolerance. O(curves * groups), if there are compounds.
+void model__unite_faces(Model *m, double tolerance, Diag *diag);
+
 // face_plane.c
 bool face__build(Model *m, Face *f, double tolerance, Diag *diag);
 

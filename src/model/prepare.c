@@ -322,5 +322,6 @@ bool model_prepare(Model *m, double tolerance, Diag *diag)
   good &= prepare_faces(m, tolerance, diag);
   check_periodic(m, diag);
   for (size_t i = 0; i < model_groups(m); i++) prepare_group(m, model_group_at(m, i), diag);
+  if (good) model__unite_faces(m, tolerance, diag);
   return good;
 }

@@ -135,8 +135,8 @@ void run_compound(Script *s, const Node *n)
   eval_ints(s, n->kid[0], n->op, &tags);
   if (n->op < 3 && s->faults == faults) {
     model_set_compound(s->model, n->op, tags.data, tags.len, n->loc, s->diag);
-    diag_warning(s->diag, n->loc, "Compound: the %s are meshed one by one, and what lies between them stays in the mesh",
-                 n->op == 1 ? "curves" : "surfaces");
+    if (n->op == 1)
+      diag_warning(s->diag, n->loc, "Compound: the curves are meshed one by one, and the points between them stay in the mesh");
   }
   vec_free(&tags);
 }

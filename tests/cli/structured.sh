@@ -112,6 +112,24 @@ Line(7)={7,8};Line(8)={8,5};Line Loop(1)={1:4};Line Loop(2)={5:8};Plane Surface(
 prints "100 lines" "each has its own nodes on the contact"
 check "which the audit only mentions" "$MESHGEN" check a.msh
 
+# ---- compound surfaces ----
+strips='lc=.15;Point(1)={0,0,0,lc};Point(2)={1,0,0,lc};Point(3)={2,0,0,lc};Point(4)={2,1,0,lc};Point(5)={1.02,1,0,lc};
+Point(6)={0,1,0,lc};Point(7)={1.05,1,0,lc};Point(8)={1.03,0,0,lc};Line(1)={1,2};Line(2)={2,8};Line(3)={8,3};Line(4)={3,4};
+Line(5)={4,7};Line(6)={7,5};Line(7)={5,6};Line(8)={6,1};Line(9)={2,5};Line(10)={8,7};
+Line Loop(1)={1,9,7,8};Plane Surface(1)={1};Line Loop(2)={2,10,6,-9};Plane Surface(2)={2};Line Loop(3)={3,4,5,-10};Plane Surface(3)={3};
+Physical Surface(1)={1,2,3};Compound Surface{1,2,3};'
+name="a narrow strip between two faces"
+mesh "$strips"
+check "does not make small elements" awk 'NR == 1 { for (i = 2; i <= NF; i++) if ($i ~ /^triangles/) exit !($(i - 1) < 330) }' out.txt
+check "and nothing is on the curves that dissolve" awk '/^\$Elements/ { on = 1 } on && $2 == 1 && ($5 == 9 || $5 == 10) { exit 1 }' a.msh
+check "the whole passes the audit" "$MESHGEN" check a.msh
+area() { awk -v want="$1" '$1 == "surface" && $2 == 1 { a = $NF } END { exit !(a > want - 1e-9 && a < want + 1e-9) }' out.txt; }
+check "and has the area of all three" area 2
+name="a curve in a group"
+mesh "$strips Physical Curve(7)={9};" -save_all
+check "stays" awk '/^\$Elements/ { on = 1 } on && $2 == 1 && $5 == 9 { n++ } END { exit !(n > 4) }' a.msh
+check "as edges of the mesh" "$MESHGEN" check a.msh
+
 # ---- subdivision and order ----
 name="all quadrangles"
 mesh "$square" -setnumber Mesh.SubdivisionAlgorithm 1
