@@ -141,7 +141,9 @@ void face_quads(const Tri *t, const FaceGraph *g, const FaceMap *map, const Opti
   if (report.triangles && p.algorithm != QUAD_GREEDY)
     diag_warning(diag, map->face->loc, "surface %d keeps %zu triangle%s: %s", map->face->tag, report.triangles,
                  report.triangles == 1 ? "" : "s",
-                 report.cut ? "quadrangles there would not be convex" : "its boundary has an odd number of edges");
+                 report.cut                              ? "quadrangles there would not be convex"
+                 : report.triangles > report.odd_parts ? "there are no pairs that would be convex quadrangles"
+                                                         : "its boundary has an odd number of edges");
   uint32_t *id = number_vertices(&w, base, size, out);
   put_elements(&w.mesh, id, out);
   free(id);

@@ -19,6 +19,8 @@ extern "C" {
 #include "mesh/mesh_check.h"
 #include "mesh/mesh_edges.h"
 #include "out/formats.h"
+#include "quad/quad_mesh.h"
+#include "quad_meshes.h"
 }
 
 #include <cmath>
@@ -160,6 +162,50 @@ void reads_our_files(void **)
   mesh_free(m);
 }
 
+// A square with a hole (no triangle with a corner in a disc), recombined by each method: OpenMesh takes every element in, finds the
+// Euler characteristic of a ring, 0, and so do the indices of the vertices.
+void test_quads_are_manifold(void **)
+{
+  for (int method = QUAD_GREEDY; method <= QUAD_SPLIT; method++) {
+    LatticeMesh lm = lattice_mesh(22, 0.15, 0.3, 5);
+    std::vector<uint32_t> tri;
+    for (size_t t = 0; t < lm.tri.len; t += 3) {
+      bool inside = false;
+      for (size_t i = t; i < t + 3; i++)
+        inside |= std::hypot(lm.xy.data[2 * lm.tri.data[i]] - 0.55, lm.xy.data[2 * lm.tri.data[i] + 1] - 0.5) < 0.17;
+      if (!inside) tri.insert(tri.end(), lm.tri.data + t, lm.tri.data + t + 3);
+    }
+    QuadMesh m;
+    quad_mesh_init(&m, lm.xy.data, NULL, lm.xy.len / 2, tri.data(), tri.size() / 3, NULL, 0);
+    quad_mesh_compact(&m);
+    QuadParams p = quad_params_default();
+    p.algorithm = static_cast<QuadAlgorithm>(method);
+    quad_recombine(&m, &p, NULL);
+    uint32_t where = 0;
+    assert_int_equal(quad_check(&m, &where), QUAD_GOOD);
+    HalfEdgeMesh h;
+    for (size_t v = 0; v < m.xy.len; v++)
+      h.add_vertex(OpenMesh::Vec3f(static_cast<float>(m.xy.data[v].x), static_cast<float>(m.xy.data[v].y), 0));
+    for (size_t e = 0; e < quad_mesh_elements(&m); e++) {
+      std::vector<HalfEdgeMesh::VertexHandle> corner;
+      for (uint32_t i = 0; i < quad_mesh_corners(&m, e); i++) corner.push_back(h.vertex_handle(m.vertex.data[4 * e + i]));
+      assert_true(h.add_face(corner).is_valid());
+    }
+    long boundary_nodes = 0;
+    for (HalfEdgeMesh::VertexHandle v : h.vertices()) {
+      assert_true(h.is_manifold(v) && !h.is_isolated(v));
+      boundary_nodes += h.is_boundary(v);
+    }
+    QuadQuality q = quad_measure(&m);
+    assert_int_equal(static_cast<long>(h.n_vertices()) - static_cast<long>(h.n_edges()) + static_cast<long>(h.n_faces()), 0);
+    assert_int_equal(q.euler, 0);
+    assert_int_equal(q.boundary_vertices, boundary_nodes);
+    if (q.triangles == 0) assert_int_equal(q.index_sum4, 0);
+    quad_mesh_free(&m);
+    lattice_free(&lm);
+  }
+}
+
 } // namespace
 
 int main()
@@ -168,6 +214,7 @@ int main()
       cmocka_unit_test(twins_agree),
       cmocka_unit_test(complex_edges_are_found_by_both),
       cmocka_unit_test(reads_our_files),
+      cmocka_unit_test(test_quads_are_manifold),
   };
   return unit_run(tests);
 }

@@ -1,0 +1,39 @@
+#!/bin/bash
+# quads.sh - recombination by every method: nothing but quadrangles, transfinite beside recombined beside triangles, periodic
+# curves, embedded curves that no quadrangle crosses
+. "$(dirname "$0")/lib.sh"
+# From left to right: triangles, recombined with an embedded curve, transfinite quadrangles.
+cat >mixed.geo <<'G'
+h = 0.1;
+For i In {0:3}
+  Point(1 + 2 * i) = {i, 0, 0, h}; Point(2 + 2 * i) = {i, 1, 0, h};
+  Line(100 + i) = {1 + 2 * i, 2 + 2 * i};
+EndFor
+For i In {0:2}
+  Line(200 + i) = {1 + 2 * i, 3 + 2 * i}; Line(300 + i) = {2 + 2 * i, 4 + 2 * i};
+  Curve Loop(1 + i) = {200 + i, 101 + i, -(300 + i), -(100 + i)}; Plane Surface(1 + i) = {1 + i};
+EndFor
+Point(21) = {1.25, 0.33, 0, h}; Point(22) = {1.75, 0.66, 0, h}; Line(400) = {21, 22}; Curve{400} In Surface{2};
+Transfinite Curve{202, 302} = 9; Transfinite Surface{3}; Recombine Surface{2, 3};
+Periodic Curve{103} = {100} Translate{3, 0, 0};
+Physical Surface("triangles") = {1}; Physical Surface("quads") = {2}; Physical Surface("grid") = {3}; Physical Curve("crack") = {400};
+G
+for method in 0 1 2 3 4; do
+  exits 0 "method $method: triangles, quadrangles and a transfinite face side by side" "$MESHGEN" -2 mixed.geo \
+    -setnumber Mesh.RecombinationAlgorithm $method -format msh2 -o m.msh -require "quads>150" -require "min_eta>0.1"
+  exits 0 "method $method: conforming, curves kept" "$MESHGEN" check m.msh
+done
+# A fan whose boundary nodes lie on straight lines: pairs of its triangles are not convex quadrangles.
+cat >coarse.geo <<'G'
+Point(1) = {0, 0, 0, 9}; Point(2) = {2, 0, 0, 9}; Point(3) = {1, 1, 0, 9};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 1}; Transfinite Curve{1} = 3;
+Curve Loop(1) = {1:3}; Plane Surface(1) = {1}; Recombine Surface{1};
+G
+exits 0 "a quadrangle with a straight corner is replaced by five" "$MESHGEN" -2 coarse.geo -o c.msh -require "triangles=0"
+for method in 1 2 3 4; do
+  exits 0 "method $method leaves no triangle on the rectangle of the book" "$MESHGEN" -2 "$ROOT/geo/seed_rectangle.geo" \
+    -setnumber Mesh.RecombineAll 1 -setnumber Mesh.RecombinationAlgorithm $method -o r.msh -require "triangles=0" -require "min_eta>0.45"
+done
+exits 0 "the greedy method leaves few" "$MESHGEN" -2 "$ROOT/geo/seed_rectangle.geo" -setnumber Mesh.RecombineAll 1 \
+  -setnumber Mesh.RecombinationAlgorithm 0 -o r.msh -require "triangles<=200" -require "quads>750"
+echo "1..$count"
