@@ -5,6 +5,16 @@ check "meshgen.1 is up to date (make man)" sh -c "cd '$ROOT' && sh tests/update-
 for shell in bash zsh fish; do exits 0 "completion for $shell" "$MESHGEN" -completion $shell; done
 bash -n <("$MESHGEN" -completion bash) && ok "bash completion parses" || not_ok "bash completion parses"
 
+# what the shells make of it, those that are here
+complete=$(bash -c 'source <("$0" -completion bash); COMP_WORDS=(meshgen -clsc); COMP_CWORD=1; _meshgen; echo "${COMPREPLY[@]}"' "$MESHGEN")
+[ "$complete" = -clscale ] && ok "bash completes" || not_ok "bash completes" "$complete"
+if command -v zsh >/dev/null; then "$MESHGEN" -completion zsh >_meshgen && check "zsh completion parses" zsh -n _meshgen; fi
+if command -v fish >/dev/null; then
+  "$MESHGEN" -completion fish >meshgen.fish
+  complete=$(fish -c 'source meshgen.fish; complete -C "meshgen -clsc"')
+  [ "$complete" = -clscale ] && ok "fish completes" || not_ok "fish completes" "$complete"
+fi
+
 # run every block marked ```sh of a document, in a folder of its own with the models at hand
 mkdir bin && ln -s "$MESHGEN" bin/meshgen
 PATH=$work/bin:$PATH
