@@ -265,13 +265,18 @@ static bool check_total(Mesher1d *d)
   return false;
 }
 
+// What was met on the first curve of bad sizes; the others are counted.
 static bool merge_messages(Mesher1d *d)
 {
   int before = diag_errors(d->diag);
+  size_t more = 0;
   for (size_t k = 0; k < d->g->ncurve; k++) {
-    if (d->sink[k]) diag_merge(d->diag, d->sink[k]);
+    if (!d->sink[k]) continue;
+    if (diag_errors(d->diag) == before) diag_merge(d->diag, d->sink[k]);
+    else diag_free(d->sink[k]), more++;
     d->sink[k] = NULL;
   }
+  if (more) diag_note(d->diag, NO_LOC, "and the sizes on %zu more curves are bad", more);
   return diag_errors(d->diag) == before;
 }
 
