@@ -67,3 +67,13 @@ exits 2 "unknown extension" "$MESHGEN" -2 "$ROOT/geo/conge.geo" -o x.nonsense
 exits 0 "version" "$MESHGEN" -version
 exits 0 "help" "$MESHGEN" --help
 prints "-clscale" "help lists switches"
+
+cat >bad_field.geo <<'END'
+Point(1)={0,0,0,.1}; Point(2)={1,0,0,.1}; Point(3)={1,1,0,.1}; Line(1)={1,2}; Line(2)={2,3}; Line(3)={3,1};
+Curve Loop(1)={1:3}; Plane Surface(1)={1};
+Field[1]=MathEval; Field[1].F="sqrt(x-2)"; Background Field=1;
+END
+exits 1 "a field that is no number: exit status" "$MESHGEN" -2 bad_field.geo -o x.msh
+says "bad_field.geo:3:" "bad field: position"
+says "field 1 (MathEval) F is not a number at (0, 0, 0) on curve 1" "bad field: field, option, place"
+says "on 2 more curves" "bad field: one message, the other curves counted"
