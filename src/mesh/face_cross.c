@@ -41,6 +41,18 @@ static double interpolate(const Tri *m, TriId t, const double *value, const doub
   return whole > 0 ? sum / whole : value[m->vert[3 * t]];
 }
 
+// The triangle at half-edge e that a point was located in, or beside it the one of the domain: splits of boundary segments lie on the
+// edge, or by rounding beyond.
+static TriId triangle_at(const Tri *m, EdgeId e)
+{
+  TriId t = tri_of(e);
+  for (EdgeId s = 3 * t; s < 3 * t + 3 && !tri_is_inside(m, t); s++)
+    if (tri_is_inside(m, tri_of(m->twin[s]))) return tri_of(m->twin[s]);
+  for (EdgeId s = 3 * t; s < 3 * t + 3 && tri_is_ghost(m, t); s++)
+    if (!tri_is_ghost(m, tri_of(m->twin[s]))) return tri_of(m->twin[s]);
+  return t;
+}
+
 static double inside_area(const Tri *t)
 {
   double sum = 0;
@@ -85,7 +97,7 @@ static double *wanted_sizes(const Tri *mesh, const Tri *empty, const TriRefinePa
     EdgeId e;
     size[v] = INFINITY;
     if (carried && v < empty->nv) size[v] = carried[v];
-    else if (carried && tri_locate(&copy, p, NONE, &e) != TRI_OUTSIDE) size[v] = interpolate(&copy, tri_of(e), carried, p);
+    else if (carried) tri_locate(&copy, p, NONE, &e), size[v] = interpolate(&copy, triangle_at(&copy, e), carried, p);
     if (q->size) size[v] = fmin(size[v], q->size(q->size_ctx, (Vec2){p[0], p[1]}));
   }
   tri_free(&copy);

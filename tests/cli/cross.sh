@@ -18,7 +18,14 @@ Curve Loop(1) = {1, 7, 5, 6}; Curve Loop(2) = {11, 12}; Plane Surface(1) = {1, 2
 Curve Loop(3) = {2, 3, 4, -7}; Plane Surface(2) = {3};
 Curve {21} In Surface {2}; Point {23} In Surface {2};
 G
+# Long edges beside a fine point: the mesh of the field splits edges of the boundary, not exactly on them.
+cat >needle.geo <<'G'
+Point(1) = {0, 0, 0, 5}; Point(2) = {9, 3, 0, 5}; Point(3) = {8.7, 3.95, 0, 5}; Point(4) = {-0.3, 0.95, 0, 5}; Point(5) = {3, 1.05, 0, 0.05};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1:4}; Plane Surface(1) = {1}; Point {5} In Surface {1};
+G
 for a in 8 9; do
+  exits 0 "algorithm $a: long edges beside a fine point" "$MESHGEN" -2 needle.geo -algo $a -no_report -o n.msh
   exits 0 "algorithm $a: a square is one lattice" "$MESHGEN" -2 square.geo -algo $a -setnumber Mesh.RecombineAll 1 -o s.msh \
     -require "quads=2500" -require "triangles=0" -require "irregular=0" -require "min_eta>0.999"
   if [ -z "$err" ]; then ok "without a warning"; else not_ok "without a warning" "$err"; fi
