@@ -295,6 +295,10 @@ void refine__prepare(Refiner *r, VertId given)
 void refine__optimize(Refiner *r, int level)
 {
   if (level <= 0) return;
+  if (r->p->algorithm == REFINE_FRONT_QUAD || r->p->algorithm == REFINE_PACK) { // right angles are meant to be: only the worst
+    for (int k = 0; k < 2 * level && mend_worst(r, 0.66); k++) continue;
+    return;
+  }
   // Valence repair costs as much as the insertion where half of the vertices are irregular, next to nothing behind a front.
   bool valences = level > 1 || r->p->algorithm == REFINE_FRONTAL;
   int rounds = level > 1 ? 8 : valences ? 2 : 0;

@@ -245,8 +245,8 @@ TriRefineStats tri_refine(Tri *m, const TriRefineParams *p)
     refine__prepare(&r, given);
   }
   bool lattice = p->algorithm == REFINE_FRONT_QUAD || p->algorithm == REFINE_PACK;
-  if (p->algorithm != REFINE_EMPTY && !lattice && stats.outcome != REFINE_CANCELLED) {
-    refine__smooth(&r, p->smoothing);
+  if (p->algorithm != REFINE_EMPTY && stats.outcome != REFINE_CANCELLED) {
+    if (!lattice) refine__smooth(&r, p->smoothing); // these have been smoothed their own way
     size_t before = stats.collapses;
     refine__optimize(&r, p->optimize);
     if (stats.collapses > before) refine__drop_isolated(&r, given);
