@@ -227,7 +227,7 @@ static void find_splits(const Plane *p, SplitVertices *out)
     SplitVertex x = {s, ((q[0] - a[0]) * dx + (q[1] - a[1]) * dy) / (dx * dx + dy * dy), t->vert[e]};
     vec_push(out, x);
   }
-  qsort(out->data, out->len, sizeof *out->data, compare_splits);
+  if (out->len) qsort(out->data, out->len, sizeof *out->data, compare_splits);
   size_t n = 0;
   for (size_t i = 0; i < out->len; i++)
     if (!n || out->data[n - 1].v != out->data[i].v) out->data[n++] = out->data[i];
