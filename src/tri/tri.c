@@ -135,7 +135,7 @@ VertId tri__new_vertex(Tri *m, const double p[2])
 
 void tri__make_segments(Tri *m)
 {
-  if (!m->seg) m->seg = mem_alloc(3 * (size_t)m->cap_t * sizeof *m->seg);
+  if (!m->seg) m->seg = mem_alloc_large(3 * (size_t)m->cap_t * sizeof *m->seg);
 }
 
 void tri__make_regions(Tri *m)
@@ -146,7 +146,7 @@ void tri__make_regions(Tri *m)
 void tri_make_hints(Tri *m)
 {
   if (m->hint) return;
-  m->hint = mem_alloc(m->cap_v * sizeof *m->hint);
+  m->hint = mem_alloc_large(m->cap_v * sizeof *m->hint);
   for (VertId v = 0; v < m->nv; v++) m->hint[v] = NONE;
   for (EdgeId e = 3 * m->nt; e-- > 0;)
     if (m->vert[e] != TRI_INF && !tri_is_free(m, tri_of(e))) m->hint[m->vert[e]] = e;

@@ -9,8 +9,8 @@
 
 static void row(const char *name, size_t n, const Tri *m, uint64_t cavity, double seconds)
 {
-  printf("| %s | %zu | %.2f | %.2f | %.4f | %.5f |\n", name, n, (double)m->walk_steps / (double)m->walks,
-         (double)cavity / (double)m->walks, seconds,
+  printf("| %s | %zu | %.2f | %.2f | %.4f | %.5f |\n", name, n, (double)m->walk_steps / (double)MAX(m->walks, 1u),
+         (double)cavity / (double)MAX(m->walks, 1u), seconds,
          (double)(m->count.orient_slow + m->count.incircle_slow) / (double)n);
 }
 

@@ -21,6 +21,15 @@ build/bench/bench_%: tests/bench/bench_%.cc $(BENCH_TRI_OBJ)
 bench-delaunay: build/bench/bench_delaunay
 	build/bench/bench_delaunay $(or $(N),1000000) $(or $(ROUNDS),5)
 
+build/bench/coastline.poly: tests/bench/coastline.py
+	@mkdir -p $(@D)
+	/usr/bin/python3 $< $@
+
+.PHONY: bench-constrained
+## bench-constrained: constrained triangulation of the world's shorelines against CGAL (ROUNDS=repetitions)
+bench-constrained: build/bench/bench_constrained build/bench/coastline.poly
+	build/bench/bench_constrained build/bench/coastline.poly $(or $(ROUNDS),5)
+
 build/bench/bench_tables: tests/bench/bench_tables.c $(BENCH_TRI_OBJ)
 	$(Q)$(CC) -std=c11 $(BENCH_FLAGS) -o $@ $< $(BENCH_TRI_OBJ) -lstdc++ -lmpfr -lgmp -lm
 
