@@ -53,6 +53,7 @@ typedef struct {
   bool *fixed;      // not to move: given, on a segment, or isolated
   uint8_t *awake;   // its star is worth a visit
   int16_t *excess;  // edges more than six; 0 on segments
+  bool keep_sizes;  // a vertex that moves keeps its size: for trials, which the size field would make slow
   double floor;     // 1/kappa_4^2 that a triangle may rise to while its star gets better
 
   // The cavity being built.

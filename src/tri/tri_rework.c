@@ -11,6 +11,7 @@ enum { MAX_PATCH = 96 };
 
 // How much the lengths of edges count against the shapes of triangles.
 #define LENGTH_WEIGHT 0.5
+#define LEAST_GAIN 0.01
 
 typedef struct {
   TriId t;
@@ -26,8 +27,12 @@ typedef struct {
   bool fixed;
 } SavedVertex;
 
+typedef Vec(uint32_t) Times;
+
 typedef struct {
   Refiner *r;
+  Times changed, tried; // by vertex and by triangle: after which of the reworkings
+  uint32_t now;
   VertId core[5]; // vertices that may move
   int ncore;
   int npatch, ntri;  // the first npatch triangles are the patch, then come its neighbours and the next free ones
@@ -248,28 +253,90 @@ static bool apply(Trial *s, EdgeId e, Operation op)
 
 // ---- the worst first -----------------------------------------------------------------------------------------------
 
-// Do what is best for triangle t; false if nothing helps.
-static bool rework(Refiner *r, TriId t, Trial *s)
+static void grow(Times *t, size_t n)
 {
-  Tri *m = r->m;
-  EdgeId edge = NONE;
-  Operation best = OP_COUNT;
-  double gain = 0.01;
+  while (t->len < n) vec_push(t, 0);
+}
+
+// Has nothing near t changed since it was tried in vain?
+static bool is_hopeless(const Trial *s, TriId t)
+{
+  const Tri *m = s->r->m;
+  if (t >= s->tried.len || s->tried.data[t] == 0) return false;
   for (EdgeId e = 3 * t; e < 3 * t + 3; e++) {
-    if (tri_is_segment(m, e) || !save(s, r, e)) continue;
+    VertId near[2] = {m->vert[e], tri_apex(m, m->twin[e])};
+    for (int k = 0; k < 2; k++)
+      if (near[k] != TRI_INF && near[k] < s->changed.len && s->changed.data[near[k]] > s->tried.data[t]) return false;
+  }
+  return true;
+}
+
+static void note_failure(Trial *s, TriId t)
+{
+  grow(&s->tried, (size_t)t + 1);
+  s->tried.data[t] = s->now;
+}
+
+// After a change that is kept: whatever has a vertex of the patch may be tried again.
+static void note_change(Trial *s)
+{
+  s->now++;
+  grow(&s->changed, s->r->m->nv);
+  for (int i = 0; i < s->nvert; i++) s->changed.data[s->vertex[i].v] = s->now;
+}
+
+static bool is_gain(const Refiner *r, Worth before, Worth after, double least)
+{
+  return before.sum - after.sum > least && after.worst <= MAX(before.worst, r->floor) && after.range <= before.range;
+}
+
+// Long edges are not collapsed, short ones not split.
+static bool is_worth_a_trial(const Refiner *r, EdgeId e, Operation op)
+{
+  const Tri *m = r->m;
+  VertId a = tri_org(m, e), b = tri_dest(m, e);
+  if (op == OP_SETTLE || op == OP_FLIP) return true;
+  double length = metric_length(tri_xy(m, a), tri_xy(m, b), r->size[a], r->size[b]);
+  return op == OP_SPLIT ? length >= 1 : length <= 1;
+}
+
+// What gains most, with the sizes of vertices kept. OP_COUNT if nothing does.
+static Operation find_best(Refiner *r, TriId t, Trial *s, EdgeId *edge)
+{
+  Operation best = OP_COUNT;
+  double gain = LEAST_GAIN;
+  r->keep_sizes = true;
+  for (EdgeId e = 3 * t; e < 3 * t + 3; e++) {
+    if (tri_is_segment(r->m, e) || !save(s, r, e)) continue;
     Worth before = worth(s);
     for (Operation op = OP_SETTLE; op < OP_COUNT; op++) {
+      if (!is_worth_a_trial(r, e, op)) continue;
       if (apply(s, e, op)) {
         Worth after = worth(s);
-        if (before.sum - after.sum > gain && after.worst <= MAX(before.worst, r->floor) && after.range <= before.range)
-          gain = before.sum - after.sum, best = op, edge = e;
+        if (is_gain(r, before, after, gain)) gain = before.sum - after.sum, best = op, *edge = e;
       }
       restore(s);
     }
   }
-  if (best == OP_COUNT || !save(s, r, edge)) return false;
-  apply(s, edge, best);
-  return true;
+  r->keep_sizes = false;
+  return best;
+}
+
+// Do what is best for triangle t; false if nothing helps.
+static bool rework(Refiner *r, TriId t, Trial *s)
+{
+  EdgeId edge = NONE;
+  Operation best = find_best(r, t, s, &edge);
+  if (best != OP_COUNT && save(s, r, edge)) {
+    Worth before = worth(s);
+    if (apply(s, edge, best) && is_gain(r, before, worth(s), LEAST_GAIN)) {
+      note_change(s);
+      return true;
+    }
+    restore(s);
+  }
+  note_failure(s, t);
+  return false;
 }
 
 typedef struct {
@@ -288,7 +355,8 @@ void refine__rework(Refiner *r, double least, size_t most, int rounds)
 {
   Tri *m = r->m;
   Vec(Bad) bad = {0};
-  Trial *s = mem_alloc(sizeof *s);
+  Trial *s = mem_zalloc(sizeof *s);
+  s->r = r, s->now = 1;
   for (int k = 0; k < rounds; k++) {
     vec_clear(&bad);
     for (TriId t = 0; t < m->nt; t++) {
@@ -302,12 +370,14 @@ void refine__rework(Refiner *r, double least, size_t most, int rounds)
     size_t better = 0;
     for (size_t i = 0; i < bad.len && i < most; i++) {
       TriId t = bad.data[i].t;
-      if (tri_is_free(m, t)) continue;
+      if (tri_is_free(m, t) || is_hopeless(s, t)) continue;
       const uint32_t *v = m->vert + 3 * (size_t)t;
       if (metric_quality(tri_xy(m, v[0]), tri_xy(m, v[1]), tri_xy(m, v[2])) < least) better += rework(r, t, s);
     }
     if (!better) break;
   }
+  vec_free(&s->changed);
+  vec_free(&s->tried);
   free(s);
   vec_free(&bad);
 }

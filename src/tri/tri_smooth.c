@@ -71,6 +71,25 @@ static Worth worth(const Star *s, double px, double py, double h, double *each)
   return w;
 }
 
+// Is 1/kappa_4^2 below `limit` in the whole star with v at (px, py)? If so *worst is the largest; if not, *hard is a triangle where
+// it is not: the first to look at next time.
+static bool all_below(const Star *s, double px, double py, double limit, int *hard, double *worst)
+{
+  double largest = 0, ux = s->x[*hard] - px, uy = s->y[*hard] - py, lu = sqrt(ux * ux + uy * uy);
+  for (int k = 0, j = *hard; k < s->n; k++, j = j + 1 < s->n ? j + 1 : 0) {
+    double vx = s->x[j + 1] - px, vy = s->y[j + 1] - py, lv = sqrt(vx * vx + vy * vy);
+    double d = ux * vy - uy * vx, b = s->base[j], f = lu * lv * b * (lu + lv + b) / (4 * d * d);
+    if (!(d > 0 && f < limit)) {
+      *hard = j;
+      return false;
+    }
+    largest = f > largest ? f : largest;
+    ux = vx, uy = vy, lu = lv;
+  }
+  *worst = largest;
+  return true;
+}
+
 // The mean of the points that would make each triangle of the star equilateral, or nearly, with sides nearer to h; the bad ones
 // weigh more.
 static void ideal(const Star *s, double h, const double *each, double *p)
@@ -89,7 +108,7 @@ static void ideal(const Star *s, double h, const double *each, double *p)
 // What v brings along when it moves to p. The size carried from the boundary stays: moves are short.
 static double size_moved(const Refiner *r, VertId v, const double *p)
 {
-  if (!r->p->size) return r->size[v];
+  if (!r->p->size || r->keep_sizes) return r->size[v];
   double h = r->p->size(r->p->size_ctx, (Vec2){p[0], p[1]});
   return r->carried && r->carried[v] < h ? r->carried[v] : h;
 }
@@ -138,11 +157,12 @@ bool refine__relocate_worst(Refiner *r, VertId v)
   Worth first = worth(&s, p[0], p[1], r->size[v], NULL);
   double best = first.worst;
   bool moved = false;
+  int hard = 0;
   for (int k = 0; k < 20 && step > 0.01 * r->size[v]; k++) {
     int least = -1;
     for (int i = 0; i < 8; i++) {
-      double w = worth(&s, p[0] + step * way[i][0], p[1] + step * way[i][1], r->size[v], NULL).worst;
-      if (w < 0.995 * best && w < 1e8) best = w, least = i;
+      double limit = fmin(0.995 * best, 1e8);
+      if (all_below(&s, p[0] + step * way[i][0], p[1] + step * way[i][1], limit, &hard, &best)) least = i;
     }
     if (least < 0) {
       step *= 0.5;
