@@ -12,6 +12,7 @@ enum { MAX_PATCH = 96 };
 // How much the lengths of edges count against the shapes of triangles.
 #define LENGTH_WEIGHT 0.5
 #define LEAST_GAIN 0.01
+#define HOPE 1.4 // a trial that is worse than this times what was there, after its first round, is given up
 
 typedef struct {
   TriId t;
@@ -192,7 +193,9 @@ static void flip_patch(Trial *s)
     }
 }
 
-static void settle(Trial *s)
+// Let the vertices of the edge, and flips among the triangles about them, find their best; given up when after the first round
+// the worth is more than HOPE times `limit`.
+static void settle(Trial *s, double limit)
 {
   Refiner *r = s->r;
   double floor = r->floor;
@@ -201,6 +204,7 @@ static void settle(Trial *s)
     for (int k = 0; k < s->ncore; k++)
       if (!r->fixed[s->core[k]] && (pass < 1 || !refine__relocate_worst(r, s->core[k]))) refine__relocate(r, s->core[k]);
     if (pass < 2) flip_patch(s);
+    if (pass == 0 && worth(s).sum > HOPE * limit) break;
   }
   r->floor = floor;
 }
@@ -233,7 +237,7 @@ static bool collapse(Trial *s, EdgeId e)
   return true;
 }
 
-static bool apply(Trial *s, EdgeId e, Operation op)
+static bool apply(Trial *s, EdgeId e, Operation op, double limit)
 {
   bool good = true;
   switch (op) {
@@ -247,7 +251,7 @@ static bool apply(Trial *s, EdgeId e, Operation op)
   case OP_SPLIT: good = split(s, e); break;
   case OP_COUNT: good = false; break;
   }
-  if (good) settle(s);
+  if (good) settle(s, limit);
   return good;
 }
 
@@ -311,7 +315,7 @@ static Operation find_best(Refiner *r, TriId t, Trial *s, EdgeId *edge)
     Worth before = worth(s);
     for (Operation op = OP_SETTLE; op < OP_COUNT; op++) {
       if (!is_worth_a_trial(r, e, op)) continue;
-      if (apply(s, e, op)) {
+      if (apply(s, e, op, before.sum)) {
         Worth after = worth(s);
         if (is_gain(r, before, after, gain)) gain = before.sum - after.sum, best = op, *edge = e;
       }
@@ -329,7 +333,7 @@ static bool rework(Refiner *r, TriId t, Trial *s)
   Operation best = find_best(r, t, s, &edge);
   if (best != OP_COUNT && save(s, r, edge)) {
     Worth before = worth(s);
-    if (apply(s, edge, best) && is_gain(r, before, worth(s), LEAST_GAIN)) {
+    if (apply(s, edge, best, before.sum) && is_gain(r, before, worth(s), LEAST_GAIN)) {
       note_change(s);
       return true;
     }
