@@ -15,11 +15,13 @@
 #include "mesh/boundary_layer.h"
 #include "mesh/high_order.h"
 #include "mesh/mesh2d.h"
+#include "mesh/mesh2d_estimate.h"
 #include "mesh/mesh2d_joint.h"
 #include "mesh/mesh_check.h"
 #include "mesh/mesh_stats.h"
 #include "mesh/periodic.h"
 #include "mesh/subdivide.h"
+#include "model/model_edit.h"
 #include "out/formats.h"
 
 // ---- meshing ----------------------------------------------------------------------------------------------------------
@@ -71,12 +73,20 @@ static void finish_mesh(Job *j, int dim)
   if (dim >= 1 && j->options.Mesh_ElementOrder > 1) set_order(j, j->options.Mesh_ElementOrder);
 }
 
+// With -keep_going faces grow until they meet the limit, each on its own.
 static void mesh_faces(Job *j, const SizeField *size, EdgeNodes *en, const BoundaryLayers *layers)
 {
   size_t n = model_faces(j->model);
   FaceMesh *face = mem_zalloc(n * sizeof *face);
   Mesh2dInput in = {.model = j->model, .options = &j->options, .size = size, .curves = j->curves, .layers = layers,
                     .diag = j->diag, .threads = j->threads};
+  stage_begin(&j->stats, "estimate");
+  bool affordable = j->cli->keep_going || mesh2d_is_affordable(&in);
+  stage_end(&j->stats);
+  if (!affordable) {
+    free(face);
+    return;
+  }
   bool joint = j->options.Mesh_MinimumAngle > 0 || j->options.Mesh_ConformingDelaunay;
   stage_begin(&j->stats, "mesh 2D");
   j->failed_faces = joint ? mesh2d_joint_run(&in, j->curves, en, face) : mesh2d_run(&in, en, face);
@@ -97,6 +107,7 @@ static bool generate(Job *j, int dim)
   drop_mesh(j);
   j->reshaped = false;
   stage_begin(&j->stats, "model");
+  if (j->options.Mesh_Heal) model_coherence(j->model, j->diag); // duplicates of points leave loops open otherwise
   bool good = model_prepare(j->model, j->options.Geometry_Tolerance, j->diag);
   stage_end(&j->stats);
   if (!good) return false;
@@ -372,6 +383,7 @@ static ExitCode explain_size(Job *j)
     diag_error(j->diag, NO_LOC, "-explain_size needs two numbers: x,y");
     return EXIT_USAGE;
   }
+  if (j->options.Mesh_Heal) model_coherence(j->model, j->diag);
   if (!model_prepare(j->model, j->options.Geometry_Tolerance, j->diag)) return EXIT_INPUT;
   SizeField *size = size_new(j->model, &j->options, j->fields, j->diag);
   if (!size) return EXIT_INPUT;

@@ -77,3 +77,22 @@ exits 1 "a field that is no number: exit status" "$MESHGEN" -2 bad_field.geo -o 
 says "bad_field.geo:3:" "bad field: position"
 says "field 1 (MathEval) F is not a number at (0, 0, 0) on curve 1" "bad field: field, option, place"
 says "on 2 more curves" "bad field: one message, the other curves counted"
+
+square='Point(1)={0,0,0,.1}; Point(2)={1,0,0,.1}; Point(3)={1,1,0,.1}; Point(4)={0,1,0,.1}; Line(1)={1,2}; Line(2)={2,3};
+Line(3)={3,4}; Line(4)={4,1}; Curve Loop(1)={1:4}; Plane Surface(1)={1};'
+refused() { # NAME LIMIT SCRIPT: before anything is meshed
+  printf '%s\n' "$square" "$3" >many.geo
+  exits 1 "too many elements, $1: exit status" "$MESHGEN" -2 many.geo -max_elements "$2" -time_limit 5 -o x.msh
+  absent "too many elements, $1: no output" x.msh
+}
+refused "by a field" 1e8 'Field[1]=Box; Field[1].VIn=1e-5; Field[1].VOut=.1; Field[1].XMin=.3; Field[1].XMax=.7; Field[1].YMin=.3;
+Field[1].YMax=.7; Background Field=1;'
+says "about 3.7" "too many elements, by a field: the estimate, 4 / sqrt(3) * 0.16 / 1e-10"
+says "fixed by Field[1] (Box, line 3)" "too many elements, by a field: which"
+refused "by the sizes of points" 1e5 'Mesh.MeshSizeFactor=1e-2;'
+says "about 2.31e+06 elements" "too many elements, by points: the estimate"
+says "curve 1 has 1000 edges: fixed by the sizes of points times Mesh.MeshSizeFactor = 0.01" "too many elements, by points: why"
+refused "of a transfinite face" 1e8 'Transfinite Curve{1:4}=20001; Transfinite Surface{1};'
+says "about 8e+08 elements" "too many elements, of a transfinite face: exactly"
+printf '%s\n' "$square" 'Mesh.MeshSizeFactor=.2;' >many.geo
+exits 0 "a mesh of about half the limit is made" "$MESHGEN" -2 many.geo -max_elements 12000 -o x.msh

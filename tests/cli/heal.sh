@@ -64,5 +64,17 @@ END
 exits 0 "fields follow the parts of a curve" "$MESHGEN" -2 fields.geo -o fields.msh
 prints " 60 " "all of it is fine"
 
+cat >duplicates.geo <<END
+Point(1)={0,0,0,.2}; Point(2)={1,0,0,.2}; Point(3)={1,1,0,.2}; Point(4)={0,1,0,.2};
+Point(12)={1,0,0,.2}; Point(13)={1,1,0,.2}; Point(14)={0,1,0,.2}; Point(11)={0,0,0,.2};
+Line(1)={1,2}; Line(2)={12,3}; Line(3)={13,4}; Line(4)={14,11};
+Curve Loop(1)={1:4}; Plane Surface(1)={1}; Physical Surface("whole")={1};
+END
+exits 1 "a loop of duplicates of points" "$MESHGEN" -2 duplicates.geo -o x.msh
+says "curve loop 1 is not closed" "it is not closed"
+exits 0 "healed: they are one" "$MESHGEN" -2 -heal duplicates.geo -o duplicates.msh
+check "and the loop encloses the square" grep -Eq 'whole +[0-9]+ +1$' out.txt
+exits 0 "sizes are explained there too" "$MESHGEN" -heal -explain_size .5,.5 duplicates.geo
+
 check "soups of polygons: the mesh has the area of their union" "$PYTHON" "$here/heal_soup.py" "$MESHGEN" 42
 echo "1..$count"
