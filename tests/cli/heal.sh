@@ -15,6 +15,7 @@ says "curve 3 crosses curve 1 at (0.5, 0.5)" "bow tie: names both and the place"
 exits 0 "bow tie: healed" "$MESHGEN" -2 -heal bow.geo -o bow.msh
 prints "0.5" "bow tie: both wings are meshed"
 exits 0 "bow tie: audited as read" "$MESHGEN" check bow.msh
+exits 0 "bow tie: healed by the option" "$MESHGEN" -2 -setnumber Mesh.Heal 1 bow.geo -o option.msh
 exits 0 "bow tie: in two calls of the mesher" "$MESHGEN" -2 -heal bow.geo -string "Mesh 2;" -o twice.msh
 
 cat >cracks.geo <<END
