@@ -117,6 +117,8 @@ static bool generate(Job *j, int dim)
   j->curves = mesh1d_heal(j->model, &j->options, j->fields, &size, j->diag);
   if (j->curves && dim >= 2) mesh1d_limit_faces(j->curves, size);
   stage_end(&j->stats);
+  if (j->curves && j->curves->rounds)
+    log_info(j->diag, "edges on curves crossed: %u of them halved in %u rounds, none crosses now", j->curves->nsplit, j->curves->rounds);
   if (j->curves) {
     EdgeNodes en;
     BoundaryLayers *layers = dim >= 2 ? boundary_layers_new(j->model, j->fields, &j->options, j->curves, j->diag) : NULL;

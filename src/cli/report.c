@@ -51,6 +51,8 @@ static size_t figures(const Report *r, Figure f[FIGURES])
       {"max_edge", s->edge_max},
       {"tau", s->tau},
       {"irregular", (double)s->irregular},
+      {"crossing_rounds", r->job->curves ? r->job->curves->rounds : none},
+      {"halved_edges", r->job->curves ? r->job->curves->nsplit : none},
       {"warnings", diag_warnings(r->job->diag)},
   };
   CHECK(ARRAY_LEN(list) <= FIGURES);

@@ -65,6 +65,13 @@ END
 exits 0 "fields follow the parts of a curve" "$MESHGEN" -2 fields.geo -o fields.msh
 prints " 60 " "all of it is fine"
 
+for gap in 0.02 0.001; do # a strait narrower than the sagittas of the edges on its coasts
+  exits 0 "two islands, $gap apart" "$MESHGEN" -2 "$ROOT/geo/islands.geo" -setnumber gap $gap -v 4 -require "crossing_rounds>=1" \
+    -require "crossing_rounds<=12" -require "halved_edges>5" -save_all -o islands.msh
+  says "none crosses now" "two islands, $gap apart: rounds are told"
+  exits 0 "two islands, $gap apart: no crossing is left" "$MESHGEN" check islands.msh
+done
+
 cat >duplicates.geo <<END
 Point(1)={0,0,0,.2}; Point(2)={1,0,0,.2}; Point(3)={1,1,0,.2}; Point(4)={0,1,0,.2};
 Point(12)={1,0,0,.2}; Point(13)={1,1,0,.2}; Point(14)={0,1,0,.2}; Point(11)={0,0,0,.2};
