@@ -35,6 +35,7 @@ static bool has_word(const Node *n)
 {
   switch ((NodeKind)n->kind) {
   case NODE_NAME:
+  case NODE_SCOPED:
   case NODE_CALL:
   case NODE_CONSTANT:
   case NODE_TRANSFORM:
@@ -60,6 +61,8 @@ static bool has_text(const Node *n)
   switch ((NodeKind)n->kind) {
   case NODE_STRING:
   case NODE_OPTION:
+  case NODE_MEMBER:
+  case NODE_STRUCT_ITEM:
   case NODE_FIELD_OPTION:
   case NODE_PLUGIN_OPTION:
   case NODE_FIELD:

@@ -16,6 +16,8 @@
   X(NAME)        /* word: any identifier */                                                     \
   X(DYNAME)      /* name~{expr}: NAME expr... */                                                \
   X(S2N)         /* StringToName[text]: text */                                                 \
+  X(SCOPED)      /* space::name; word = space; op = 1 DimNameSpace, 2 NameStruct: [expr] */     \
+  X(MEMBER)      /* S.a where S is not plain, text = member; S.a itself is an OPTION: name */   \
   X(WHOLE)       /* x[]: name */                                                                \
   X(INDEX)       /* x[i]: name expr */                                                          \
   X(SUBLIST)     /* x[{i,j}]: name list */                                                      \
@@ -66,6 +68,8 @@
   X(VIEW_ITEM)   /* text = ST, SL, ...: coordinates values */                                   \
   X(CONSTANTS)   /* DefineConstant: CONSTANT_ITEM... */                                         \
   X(CONSTANT_ITEM)/* op = 1 for l[]: target [value] [name] [read-only] */                       \
+  X(STRUCT)      /* op = 1 append: name STRUCT_ITEM... */                                       \
+  X(STRUCT_ITEM) /* text = member: value */                                                     \
   X(COMMAND)     /* word = Save Merge Include Mesh ...: argument... */                          \
   X(BLOCK)       /* statement... */                                                             \
   X(FOR)         /* [name] from to [step] BLOCK */                                              \

@@ -13,6 +13,12 @@
 static double variable_value(Script *s, uint32_t word, SrcLoc loc)
 {
   const Variable *v = word == NONE ? NULL : script__variable(s, word);
+  if (v && v->kind == VAR_NONE && !v->ntext) { // the number of a Struct
+    char name[128];
+    snprintf(name, sizeof name, "::%s", words_text(&s->words, word));
+    const Variable *number = strlen(name) + 1 < sizeof name ? struct_find(s, name) : NULL;
+    if (number) return number->value;
+  }
   if (!v || v->kind == VAR_NONE) {
     if (v && v->ntext)
       script__error(s, loc, "'%s' is a text, a number is needed here", words_text(&s->words, word));
@@ -159,7 +165,11 @@ double eval_number(Script *s, const Node *n)
     if (node_is_list(n)) break;
     return call_number(s, n);
   case NODE_CONSTANT: return constant_value(s, n);
-  case NODE_OPTION: return option_number(s, n);
+  case NODE_OPTION:
+    if (struct_exists(s, n)) return variable_value(s, script__word(s, n), n->loc);
+    return option_number(s, n);
+  case NODE_MEMBER: return variable_value(s, script__word(s, n), n->loc);
+  case NODE_SCOPED: return n->op ? struct_list_number(s, n) : variable_value(s, script__word(s, n), n->loc);
   case NODE_POSTFIX: return postfix_value(s, n);
   case NODE_PARAMETER: return n->op ? text_as_number(s, n) : parameter_value(s, n);
   case NODE_FIELD_OPTION: return field_get_number(s->fields, eval_int(s, n->kid[0]), n->text);

@@ -17,11 +17,8 @@
 
 static double name_exists(Script *s, const Node *name)
 {
-  const char *text = script__name_text(s, name);
-  uint32_t word = words_find(&s->words, text, strlen(text));
-  if (word == NONE || word >= s->var.len) return 0;
-  const Variable *v = &s->var.data[word];
-  return v->kind != VAR_NONE || v->ntext > 0;
+  if (struct_find(s, script__name_text(s, name))) return 1;
+  return name->kind != NODE_OPTION && struct_find(s, struct_name_text(s, name)); // a Struct
 }
 
 static double find_members(Script *s, const Node *n)

@@ -117,6 +117,14 @@ double option_number(Script *s, const Node *n);
 const char *option_text(Script *s, const Node *n);
 bool option_is_text(Script *s, const Node *n);
 
+// ---- structures (run_struct.c) ---------------------------------------------
+// The name under which the value of S.a, of Space::S, or of a Struct S is kept; in s->temp, or the tree's.
+const char *struct_name_text(Script *s, const Node *n);
+Variable *struct_find(Script *s, const char *text);      // NULL if there is none of this name
+bool struct_exists(Script *s, const Node *option);       // is the category of this option a Struct?
+double struct_list_number(Script *s, const Node *n);     // DimNameSpace
+const char *struct_list_text(Script *s, const Node *n);  // NameStruct
+
 // ---- statements ---------------------------------------------
 Flow run_statement(Script *s, const Node *n);
 Flow run_block(Script *s, const Node *block);
@@ -126,6 +134,7 @@ ScriptEnd run_file(Script *s, const char *path, SrcLoc from);
 ScriptEnd run_source(Script *s, const char *name, char *text, size_t len, SrcLoc from);
 void run_assign(Script *s, const Node *n);
 void run_constants(Script *s, const Node *n);
+void run_struct(Script *s, const Node *n);
 void run_option(Script *s, const Node *n);
 void run_print(Script *s, const Node *n);
 void run_define(Script *s, const Node *n);

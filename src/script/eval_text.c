@@ -8,6 +8,7 @@
 
 bool eval_is_text(Script *s, const Node *n)
 {
+  if (n->kind == NODE_OPTION && !struct_exists(s, n)) return option_is_text(s, n);
   switch ((NodeKind)n->kind) {
   case NODE_STRING: return true;
   case NODE_CALL: {
@@ -17,6 +18,8 @@ bool eval_is_text(Script *s, const Node *n)
   case NODE_NAME:
   case NODE_DYNAME:
   case NODE_S2N:
+  case NODE_OPTION:
+  case NODE_MEMBER:
   case NODE_INDEX:
   case NODE_WHOLE: {
     const Node *name = n->kind == NODE_INDEX || n->kind == NODE_WHOLE ? n->kid[0] : n;
@@ -27,7 +30,7 @@ bool eval_is_text(Script *s, const Node *n)
   }
   case NODE_LIST: return n->n && eval_is_text(s, n->kid[0]);
   case NODE_PARAMETER: return n->op;
-  case NODE_OPTION: return option_is_text(s, n);
+  case NODE_SCOPED: return n->op == 2;
   case NODE_TERNARY: return eval_is_text(s, n->kid[1]);
   default: return false;
   }
@@ -109,7 +112,12 @@ const char *eval_text(Script *s, const Node *n)
   case NODE_PARAMETER:
     if (n->op) return parameter_text(s, n);
     break;
+  case NODE_MEMBER: return variable_text(s, n, 0);
+  case NODE_SCOPED:
+    if (n->op == 2) return struct_list_text(s, n);
+    break;
   case NODE_OPTION:
+    if (struct_exists(s, n)) return variable_text(s, n, 0);
     if (option_is_text(s, n)) return option_text(s, n);
     break;
   case NODE_ENTITIES: return entity_name(s, n);

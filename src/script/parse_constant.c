@@ -1,4 +1,4 @@
-// parse_constant.c - DefineConstant and the attributes of parameters
+// parse_constant.c - DefineConstant and the attributes of parameters; Struct
 // SPDX-License-Identifier: MIT
 #include "base/base.h"
 
@@ -98,4 +98,47 @@ Node *parse__define_constant(Parser *p)
   parse__advance(p);
   parse__semicolon(p);
   return parse__collect(p, NODE_CONSTANTS, t.loc, base);
+}
+
+// ---- structures ---------------------------------------------
+
+// true for Append, or AppendToExistingStruct, with or without a number
+static bool append_mark(Token t)
+{
+  return (t.len == 6 && !memcmp(t.start, "Append", 6)) ||
+         (t.len == 22 && !memcmp(t.start, "AppendToExistingStruct", 22));
+}
+
+// struct -> "Struct" name "[" [struct_item ("," struct_item)...] "]" ";"
+// struct_item -> MEMBER (expr | list) | ("Append" | "AppendToExistingStruct") [number]
+Node *parse__struct(Parser *p)
+{
+  Token t = parse__advance(p);
+  size_t base = p->stack.len;
+  Node *name = parse__name(p);
+  parse__push(p, name);
+  parse__expect(p, '[', "'['");
+  parse__open(p);
+  bool append = false;
+  while (!parse__at(p, ']')) {
+    if (p->tok.kind != TOK_WORD) parse__expected(p, "the name of a member or ']'");
+    Token key = parse__advance(p);
+    bool bare = parse__at(p, ',') || parse__at(p, ']');
+    if (append_mark(key)) {
+      Node *on = bare ? NULL : parse__number(p);
+      append = !on || on->kind != NODE_NUMBER || on->number != 0;
+    } else {
+      if (bare || parse__at(p, '=')) parse__expected(p, "the value of this member, as in 'a 1'");
+      Node *item = parse__node1(p, NODE_STRUCT_ITEM, key.loc, parse__list(p));
+      item->text = parse__text(p, key);
+      parse__push(p, item);
+    }
+    if (!parse__accept(p, ',')) break;
+  }
+  parse__expect(p, ']', "',' or ']'");
+  parse__close(p);
+  parse__semicolon(p);
+  Node *n = parse__collect(p, NODE_STRUCT, t.loc, base);
+  n->op = append;
+  return n;
 }

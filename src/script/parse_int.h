@@ -48,6 +48,7 @@ Node *parse__parameter_tail(Parser *p, Node *value, NodeKind kind, Node *target,
 Node *parse__statement(Parser *p);       // one statement with its ';'; fails through p->on_error
 Node *parse__block_statement(Parser *p); // For, If or Macro, the next token
 Node *parse__define_constant(Parser *p);
+Node *parse__struct(Parser *p);
 Node *parse__view(Parser *p, SrcLoc loc);
 Node *parse__unsupported(Parser *p, Token t, const char *why); // the rest of a statement that begins with t
 Node *parse__word_node(Parser *p, NodeKind kind, SrcLoc loc, uint32_t word,

@@ -39,7 +39,7 @@ static Node *text_node(Parser *p)
   return n;
 }
 
-// name -> IDENTIFIER ("~" "{" number "}")... | "StringToName" "[" text "]"
+// name -> IDENTIFIER ("~" "{" number "}")... | "StringToName" "[" text "]" | IDENTIFIER "::" name
 Node *parse__name(Parser *p)
 {
   Token t = p->tok;
@@ -56,9 +56,13 @@ Node *parse__name(Parser *p)
   parse__advance(p);
   Node *name = parse__node(p, NODE_NAME, t.loc, 0);
   name->word = t.word;
-  if (parse__at(p, TOK_SCOPE))
-    parse__fail(p, t.loc, "structures and name spaces (%.*s::) are not supported",
-                (int)MIN(t.len, (size_t)100), t.start);
+  if (parse__accept(p, TOK_SCOPE)) {
+    Node *in = parse__name(p);
+    if (in->kind == NODE_SCOPED) parse__fail(p, t.loc, "name spaces cannot stand in one another");
+    Node *scoped = parse__node1(p, NODE_SCOPED, t.loc, in);
+    scoped->word = t.word;
+    return scoped;
+  }
   if (!parse__at(p, '~')) return name;
   size_t base = p->stack.len;
   vec_push(&p->stack, name);
@@ -122,9 +126,19 @@ Node *parse__braced_numbers(Parser *p, const char *what)
 // ---- postfix and primary ---------------------------------------------
 
 // option -> CATEGORY ["[" number "]"] "." KEY ["." KEY]
+// member -> name "." MEMBER
+//
+// Whether S.a is an option or a member of a Struct shows when the script runs.
 static Node *parse_option(Parser *p, Node *name, Node *index)
 {
-  if (name->kind != NODE_NAME) parse__expected(p, "an option as Category.Name");
+  if (name->kind != NODE_NAME) {
+    parse__expect(p, '.', "'.'");
+    if (p->tok.kind != TOK_WORD) parse__expected(p, "the name of a member");
+    Token t = parse__advance(p);
+    Node *n = parse__node1(p, NODE_MEMBER, name->loc, name);
+    n->text = parse__text(p, t);
+    return n;
+  }
   Str key = {0};
   while (parse__accept(p, '.')) {
     if (p->tok.kind != TOK_WORD) {
@@ -173,13 +187,16 @@ static Node *parse_index(Parser *p, Node *name)
   return n;
 }
 
-// target -> name ["[" [expr] "]"] | option
+// target -> name ["[" [expr] "]"] | option | member ["[" [number] "]"]
 // variable -> target ["++" | "--"]
 static Node *parse_variable(Parser *p)
 {
   Node *name = parse__name(p), *n = name;
   if (is_open(p->tok.kind)) n = parse_index(p, name);
-  if (parse__at(p, '.')) n = parse_option(p, name, n->kind == NODE_INDEX ? n->kid[1] : NULL);
+  if (parse__at(p, '.')) {
+    n = parse_option(p, name, n->kind == NODE_INDEX ? n->kid[1] : NULL);
+    if (is_open(p->tok.kind) && !(n->kind == NODE_OPTION && n->kid[0])) n = parse_index(p, n);
+  }
   if (parse__at(p, TOK_INC) || parse__at(p, TOK_DEC)) {
     Token op = parse__advance(p);
     n = parse__node1(p, NODE_POSTFIX, op.loc, n);
@@ -202,6 +219,7 @@ static Node *parse_call(Parser *p, const FunctionRow *f)
   expect_open(p);
   if (f->takes_name) {
     Node *name = parse__name(p);
+    if (parse__at(p, '.')) name = parse_option(p, name, NULL);
     if (is_open(p->tok.kind)) { // Exists(l[])
       expect_open(p);
       if (!is_close(p->tok.kind)) parse__expr(p);
@@ -295,11 +313,12 @@ static Node *parse_parenthesis(Parser *p)
   return e;
 }
 
-// length -> "#" name "[" "]"
+// length -> "#" (name | member) "[" "]"
 static Node *parse_length(Parser *p)
 {
   Token hash = parse__advance(p);
   Node *name = parse__name(p);
+  if (parse__at(p, '.')) name = parse_option(p, name, NULL);
   expect_open(p);
   expect_close(p);
   return parse__node1(p, NODE_LENGTH, hash.loc, name);
@@ -317,6 +336,26 @@ static Node *parse_field_option(Parser *p)
   Token key = parse__advance(p);
   Node *n = parse__node1(p, NODE_FIELD_OPTION, t.loc, id);
   n->text = parse__text(p, key);
+  return n;
+}
+
+// struct_list -> "DimNameSpace" "[" [NAME] "]" | "NameStruct" "[" [NAME "::"] "#" number "]"
+static Node *parse_struct_list(Parser *p)
+{
+  Token t = parse__advance(p);
+  expect_open(p);
+  Node *n = parse__node(p, NODE_SCOPED, t.loc, 1);
+  n->word = KW_COUNT;
+  n->op = (uint16_t)(t.word == KW_DimNameSpace ? 1 : 2);
+  if (!is_close(p->tok.kind) && !parse__at(p, '#')) {
+    n->word = parse__expect(p, TOK_WORD, "the name of a name space").word;
+    if (n->op == 2) parse__expect(p, TOK_SCOPE, "'::' and '#' with the number of a Struct");
+  }
+  if (n->op == 2) {
+    parse__expect(p, '#', "'#' and the number of a Struct");
+    n->kid[0] = parse__number(p);
+  }
+  expect_close(p);
   return n;
 }
 
@@ -369,6 +408,10 @@ static Node *parse_word(Parser *p)
   case KW_DefineString: return parse_parameter(p);
   case KW_Field: return parse_field_option(p);
   case KW_StringToName: return parse_variable(p);
+  case KW_DimNameSpace:
+  case KW_NameStruct:
+    if (is_open(parse__peek(p).kind)) return parse_struct_list(p);
+    break;
   default: break;
   }
   if (!keyword_reserved(t.word)) return parse_variable(p);
@@ -376,7 +419,7 @@ static Node *parse_word(Parser *p)
 }
 
 // primary -> NUMBER | STRING | CONSTANT | variable | call | length | entities | transform | extrude
-//           | boundary | boolean | split | parameter_value | "(" expr ")" | "{" items "}" | vector
+//           | boundary | boolean | split | parameter_value | struct_list | "(" expr ")" | "{" items "}" | vector
 Node *parse__primary(Parser *p)
 {
   Token t = p->tok;

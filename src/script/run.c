@@ -177,6 +177,7 @@ Flow run_statement(Script *s, const Node *n)
   case NODE_BACKGROUND_VIEW: fields_set_background_view(s->fields, eval_int(s, n->kid[0]), n->loc); break;
   case NODE_VIEW: run_view(s, n); break;
   case NODE_CONSTANTS: run_constants(s, n); break;
+  case NODE_STRUCT: run_struct(s, n); break;
   case NODE_COMMAND: return run_command(s, n);
   case NODE_UNSUPPORTED: script__error(s, n->loc, "%s", n->text); break;
   case NODE_FAULT: run_fault(s, n); break;

@@ -135,6 +135,10 @@ bool script__set_option(Script *s, const char *name, SrcLoc loc, int op, double 
 void run_option(Script *s, const Node *n)
 {
   const Node *target = n->kid[0], *value = n->kid[1];
+  if (struct_exists(s, target)) {
+    script__error(s, target->loc, "the members of a Struct cannot be changed");
+    return;
+  }
   if (!strncmp(target->text, "View.", 5) || !strncmp(target->text, "PostProcessing.", 15) ||
       !strncmp(target->text, "Print.", 6) || !strncmp(target->text, "Solver.", 7) ||
       strstr(target->text, ".Color") ||

@@ -55,6 +55,7 @@ const char *script__name_text(Script *s, const Node *name)
 {
   if (name->kind == NODE_NAME) return words_text(&s->words, name->word);
   if (name->kind == NODE_S2N) return eval_text(s, name->kid[0]);
+  if (name->kind != NODE_DYNAME) return struct_name_text(s, name);
   Str text = {0};
   str_append(&text, words_text(&s->words, name->kid[0]->word));
   for (uint32_t i = 1; i < name->n; i++) str_printf(&text, "_%d", eval_int(s, name->kid[i]));
@@ -90,7 +91,10 @@ void script__unknown(Script *s, uint32_t word, SrcLoc loc)
     if (s->var.data[i].kind || s->var.data[i].ntext) vec_push(&names, words_text(&s->words, (uint32_t)i));
   const char *name = words_text(&s->words, word), *near = str_nearest(name, names.data, names.len);
   if (!near) near = function_nearest(name);
-  if (near && strcmp(near, name) != 0)
+  const char *dot = strrchr(name, '.');
+  if (dot || strchr(name, ':'))
+    script__error(s, loc, dot ? "unknown member '%s' of a Struct" : "unknown Struct '%s'", name);
+  else if (near && strcmp(near, name) != 0)
     script__error(s, loc, "unknown variable '%s'; did you mean '%s'?", name, near);
   else
     script__error(s, loc, "unknown variable '%s'", name);

@@ -25,4 +25,3 @@ Combine ElementsByViewName;                      // expect error: Combine is pos
 ClassifySurfaces {1, 2};                         // expect error: ClassifySurfaces is not supported
 CreateGeometry;                                  // expect error: CreateGeometry is not supported
 OnelabRun("x", "y");                             // expect error: OnelabRun is not supported
-DefineStruct a [ x = 1 ];                        // expect error: DefineStruct is not supported

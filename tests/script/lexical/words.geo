@@ -8,4 +8,4 @@ For In In {1:2} EndFor;                          // expect error: 'In' is a word
 Left = 4; Mesh = 5; Save = 6; View = 7;
 Printf("%g %g %g %g", Left, Mesh, Save, View);   // expect: 4 5 6 7
 Point = 3;                                       // expect error: expected a value, found '='
-n::x = 1;                                        // expect error: name spaces
+n::x = 1;                                        // expect error: this cannot be assigned to
