@@ -130,7 +130,7 @@ static void put_elements(const QuadMesh *q, const uint32_t *id, FaceMesh *out)
   }
 }
 
-void face_quads(const Tri *t, const FaceGraph *g, const FaceMap *map, const Options *o, uint32_t base, const double *size,
+bool face_quads(const Tri *t, const FaceGraph *g, const FaceMap *map, const Options *o, uint32_t base, const double *size,
                 FaceMesh *out, Diag *diag)
 {
   Work w = {.tri = t, .graph = g, .map = map};
@@ -138,6 +138,10 @@ void face_quads(const Tri *t, const FaceGraph *g, const FaceMap *map, const Opti
   QuadParams p = quad_params(map->face, o, &w);
   QuadReport report = {0};
   quad_recombine(&w.mesh, &p, &report);
+  if (report.inverted && g->coarse) {
+    quad_mesh_free(&w.mesh);
+    return false;
+  }
   if (report.triangles && p.algorithm != QUAD_GREEDY)
     diag_warning(diag, map->face->loc, "surface %d keeps %zu triangle%s: %s", map->face->tag, report.triangles,
                  report.triangles == 1 ? "" : "s",
@@ -148,4 +152,5 @@ void face_quads(const Tri *t, const FaceGraph *g, const FaceMap *map, const Opti
   put_elements(&w.mesh, id, out);
   free(id);
   quad_mesh_free(&w.mesh);
+  return true;
 }

@@ -19,8 +19,9 @@ double face_quads_size_factor(const Face *f, const Options *o, bool coarse);
 
 // What extract is for triangles: the triangles of t that are inside, recombined, appended to out. g is the graph that t was made from,
 // base the number of nodes of points and curves, size the wanted edge length at each vertex of t. Warns where triangles remain
-// although quadrangles only were asked for.
-void face_quads(const Tri *t, const FaceGraph *g, const FaceMap *map, const Options *o, uint32_t base, const double *size,
+// although quadrangles only were asked for. False, with out as it was, if g is coarse and the nodes left out, put back on the curves,
+// turn elements over: then the face is to be meshed with all its boundary nodes.
+bool face_quads(const Tri *t, const FaceGraph *g, const FaceMap *map, const Options *o, uint32_t base, const double *size,
                 FaceMesh *out, Diag *diag);
 
 #endif

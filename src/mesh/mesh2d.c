@@ -123,20 +123,20 @@ static double *embedded_sizes(const Driver *d, const Face *f, const FaceGraph *g
   return size;
 }
 
-static void mesh_plane_face(const Driver *d, size_t k, SizeEval *eval, FaceMesh *out, Diag *diag)
+// False, with nothing said and nothing made, if `coarse` (every second boundary node left out, and put back at the end) gives
+// no valid mesh: the coarse polygon of a curve of few edges may overlap itself or be far from the curve.
+static bool try_plane_face(const Driver *d, size_t k, SizeEval *eval, bool coarse, FaceMesh *out, Diag *diag)
 {
   const Face *f = model_face_at(d->in->model, k);
-  warn_of_algorithm(f, d->in->options, diag);
-  FaceGraph g = {0};
+  FaceGraph g = {.coarse = coarse};
   Filling filling;
   FaceMap map = {f, filling_wanted(&filling, d->in->model, f) ? &filling : NULL, eval, NULL};
-  if (!map.filling && !boundary_layers_on(d->in->layers, k))
-    g.coarse = face_is_split(d->in->model, f, d->in->curves, d->in->options);
   if (boundary_layers_on(d->in->layers, k))
     boundary_layers_fill(d->in->layers, k, d->in->curves, d->nodes, out, &g);
   else
     face_graph_add(&g, d->in->model, f, d->in->curves, d->nodes);
   if (map.filling) filling_place(&filling, d->in, f, d->nodes, &g);
+  bool valid = true;
   Tri t;
   tri_init(&t);
   if (face_graph_mesh(&g, d->in->model, f, &t, diag)) {
@@ -161,23 +161,45 @@ static void mesh_plane_face(const Driver *d, size_t k, SizeEval *eval, FaceMesh 
     TriRefineStats s = tri_refine(&t, &p);
     free(bound);
     face_cross_free(&cross);
-    size_eval_report(eval, diag);
+    if (!coarse) size_eval_report(eval, diag);
     if (s.outcome == REFINE_LIMIT) {
       diag_error(diag, f->loc, "surface %d would have more than %zu triangles (Mesh.MaxElements, -max_elements)", f->tag,
                  p.max_triangles);
       out->failed = true;
     } else if (face_is_recombined(f, d->in->options)) {
       for (size_t v = 0; v < t.nv; v++) sizes[v] /= scaled.factor;
-      face_quads(&t, &g, &map, d->in->options, (uint32_t)d->nodes->n, sizes, out, diag);
+      valid = face_quads(&t, &g, &map, d->in->options, (uint32_t)d->nodes->n, sizes, out, diag);
     } else {
       extract(&t, &g, d, &map, sizes, out);
     }
     free(sizes);
+  } else if (coarse) {
+    valid = false;
   } else {
     out->failed = true;
   }
   tri_free(&t);
   face_graph_free(&g);
+  return valid;
+}
+
+static void mesh_plane_face(const Driver *d, size_t k, SizeEval *eval, FaceMesh *out, Diag *diag)
+{
+  const Face *f = model_face_at(d->in->model, k);
+  warn_of_algorithm(f, d->in->options, diag);
+  Filling filling;
+  if (!boundary_layers_on(d->in->layers, k) && !filling_wanted(&filling, d->in->model, f) &&
+      face_is_split(d->in->model, f, d->in->curves, d->in->options)) {
+    Diag *said = diag_child(diag);
+    bool valid = try_plane_face(d, k, eval, true, out, said);
+    if (valid) {
+      diag_merge(diag, said);
+      size_eval_report(eval, diag); // after a failure the next attempt says it
+      return;
+    }
+    diag_free(said);
+  }
+  try_plane_face(d, k, eval, false, out, diag);
 }
 
 // ---- all faces --------------------------------------------------------------------------------------------------------

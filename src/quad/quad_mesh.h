@@ -69,14 +69,15 @@ typedef struct {
   size_t flips, collapses, doublets;
   size_t filled;            // bad quads replaced by five
   size_t cut;               // bad quads cut into triangles again
+  size_t inverted;          // elements at the end that are not strictly convex: only where `middle` puts a vertex across them
 } QuadReport;
 
 // Greedy 45 degrees, Blossom, clean-up and smoothing on.
 QuadParams quad_params_default(void);
 
 // Turn a mesh of triangles into quads. Boundary and locked edges stay edges (halved by the full-quad variants), fixed vertices
-// stay where they are, nothing is ever inverted, and the worst element is not worse after clean-up and smoothing than before
-// them. Deterministic. `report` may be NULL.
+// stay where they are, nothing is ever inverted (but see QuadReport.inverted), and the worst element is not worse after clean-up
+// and smoothing than before them. Deterministic. `report` may be NULL.
 void quad_recombine(QuadMesh *m, const QuadParams *p, QuadReport *report);
 
 // The steps of it, for tests and for meshes that have quads already.

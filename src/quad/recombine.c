@@ -279,6 +279,7 @@ void quad_recombine(QuadMesh *m, const QuadParams *p, QuadReport *report)
     fill_bad(m, p, report);
     report->cut += quad_cut_bad(m, p->min_eta);
   }
+  for (size_t e = 0; e < quad_mesh_elements(m); e++) report->inverted += !quad__convex(m->xy.data, &m->vertex.data[4 * e]);
   report->triangles = quad_mesh_triangles(m);
   report->quads = quad_mesh_elements(m) - report->triangles;
 }

@@ -36,4 +36,37 @@ for method in 1 2 3 4; do
 done
 exits 0 "the greedy method leaves few" "$MESHGEN" -2 "$ROOT/geo/seed_rectangle.geo" -setnumber Mesh.RecombineAll 1 \
   -setnumber Mesh.RecombinationAlgorithm 0 -o r.msh -require "triangles<=200" -require "quads>750"
+# Double size does not follow holes of four to eight edges: two coarse edges overlap, or put back on the circle their middles lie beyond
+# the coarse elements around.
+cat >holes.geo <<'G'
+h = 0.2; Point(1) = {0, 0, 0, h}; Point(2) = {2, 0, 0, h}; Point(3) = {2, 2, 0, h}; Point(4) = {0, 2, 0, h};
+For i In {1:4}
+  Line(i) = {i, i % 4 + 1};
+EndFor
+Curve Loop(1) = {1:4}; s() = {1};
+For i In {0:8}
+  x = 0.4 + 0.6 * (i % 3); y = 0.4 + 0.6 * Floor(i / 3); r = 0.22; p = 10 + 5 * i; c = 100 + 2 * i;
+  Point(p) = {x, y, 0, h}; Point(p + 1) = {x + r, y, 0, h}; Point(p + 2) = {x - r, y, 0, h};
+  Circle(c) = {p + 1, p, p + 2}; Circle(c + 1) = {p + 2, p, p + 1}; Curve Loop(10 + i) = {c, c + 1}; s() += {10 + i};
+EndFor
+Plane Surface(1) = {s()};
+G
+for method in 2 3 4; do
+  for scale in 1 1.3 1.6 2 2.5 3; do
+    exits 0 "method $method, size factor $scale: no quadrangle is turned over by the nodes put back on small holes" "$MESHGEN" -2 holes.geo \
+      -clscale $scale -setnumber Mesh.RecombineAll 1 -setnumber Mesh.RecombinationAlgorithm $method -o h.msh
+  done
+done
+cat >spline.geo <<'G'
+Point(1) = {0, 0, 0, 1}; Point(2) = {1, 0, 0, 1}; Point(3) = {1, 1, 0, 1}; Point(4) = {0, 1, 0, 1};
+For i In {1:4}
+  Line(i) = {i, i % 4 + 1};
+EndFor
+Point(5) = {0.2, 0.8, 0, 1}; Point(6) = {0.8, 0.2, 0, 1}; Point(7) = {0.45, 0.5, 0, 1}; Spline(5) = {5, 7, 6, 5};
+Curve Loop(1) = {1:4}; Curve Loop(2) = {5}; Plane Surface(1) = {1, 2};
+G
+for method in 2 3 4; do
+  exits 0 "method $method: a closed curve of four edges" "$MESHGEN" -2 spline.geo -setnumber Mesh.RecombineAll 1 \
+    -setnumber Mesh.RecombinationAlgorithm $method -o h.msh -require "triangles=0"
+done
 echo "1..$count"
