@@ -207,6 +207,7 @@ typedef struct {
   const Mesh2dInput *in;
   Estimate *estimate; // per face
   SizeEval **eval;    // per worker
+  Diag **sink;        // per face, made where its sizes are bad
 } Estimator;
 
 static void estimate_one(void *ctx, size_t k, int worker)
@@ -229,6 +230,9 @@ static void estimate_one(void *ctx, size_t k, int worker)
     if (e->curve) e->curve = shortest_edge(&o)->curve;
     if (face_is_recombined(f, in->options)) e->elements *= sqrt(3) / 4;
   }
+  Diag *sink = diag_child(in->diag);
+  if (size_eval_report(size.eval, sink)) d->sink[k] = sink;
+  else diag_free(sink);
   vec_free(&o.edge);
 }
 
@@ -238,22 +242,29 @@ static double estimate_all(Estimator *d)
   size_t n = model_faces(in->model);
   int workers = thread_count(in->threads);
   d->estimate = mem_zalloc((n + 1) * sizeof *d->estimate);
+  d->sink = mem_zalloc((n + 1) * sizeof *d->sink);
   d->eval = mem_alloc((size_t)workers * sizeof *d->eval);
   for (int i = 0; i < workers; i++) d->eval[i] = size_eval_new(in->size);
   thread_for(n, in->threads, estimate_one, d);
-  for (int i = 0; i < workers; i++) size_eval_free(d->eval[i]); // bad sizes are reported where elements are made
+  for (int i = 0; i < workers; i++) size_eval_free(d->eval[i]);
   free(d->eval);
   double total = 0;
   for (size_t k = 0; k < n; k++) total += d->estimate[k].elements;
   return total;
 }
 
-double mesh2d_estimate(const Mesh2dInput *in)
+// What was met in the first face of bad sizes; true if there was one.
+static bool merge_messages(Estimator *d)
 {
-  Estimator d = {.in = in};
-  double total = estimate_all(&d);
-  free(d.estimate);
-  return total;
+  bool bad = false;
+  for (size_t k = 0; k < model_faces(d->in->model); k++) {
+    if (!d->sink[k]) continue;
+    if (!bad) diag_merge(d->in->diag, d->sink[k]);
+    else diag_free(d->sink[k]);
+    bad = true;
+  }
+  free(d->sink);
+  return bad;
 }
 
 // ---- the limit ------------------------------------------------------------------------------------------------------------
@@ -285,6 +296,10 @@ bool mesh2d_is_affordable(const Mesh2dInput *in)
   static const double margin = 2;
   Estimator d = {.in = in};
   double total = estimate_all(&d), limit = in->options->Mesh_MaxElements;
+  if (merge_messages(&d)) {
+    free(d.estimate);
+    return false;
+  }
   log_debug(in->diag, "about %.3g elements are expected in the faces", total);
   bool good = total <= margin * limit;
   size_t worst = 0;

@@ -1,20 +1,20 @@
-// mesh2d_estimate.h - how many elements the faces will get, before they are meshed
+// mesh2d_estimate.h - are the faces worth beginning: sizes that are none, and too many elements, found before meshing
 // SPDX-License-Identifier: MIT
 #ifndef MESH_MESH2D_ESTIMATE_H
 #define MESH_MESH2D_ESTIMATE_H
 
 #include "mesh/mesh2d.h"
 
-// Elements expected in all faces, copies included: cells of transfinite and extruded faces as the counts on their curves have them,
-// and in plane faces the integral of 4 / (sqrt(3) h^2) over midpoints of a grid (1 / h^2 where quadrangles are made), h the
-// smaller of size_in_face and what the boundary hands on. Faces bounded by so few and long edges that they cannot matter are bounded
-// from above instead, so the result is only good as a guess from Mesh.MaxElements / 100 on. Fillings that are neither count 0.
-// Mostly within 25 % of what comes out, seldom off by half: where sizes change within less than the grid's cells, which are at most
-// a hundredth as many as the elements expected. O(edges on the boundaries + elements / 100).
-double mesh2d_estimate(const Mesh2dInput *in);
-
-// False if that is more than twice Mesh.MaxElements: an error then names the estimate, the face of most elements and what
-// makes its smallest size. Between the two the refiner's own limit decides.
+// False, with an error, where the sizes inside a face are bad (not positive, not a number) or the elements expected in all faces are more
+// than twice Mesh.MaxElements. The error names the estimate, the face of most elements and what makes its smallest size.
+// Between the limit and twice that the refiner's own count decides.
+//
+// Expected are, copies included: in transfinite and extruded faces the cells that the counts on their curves make, and in plane
+// faces the integral of 4 / (sqrt(3) h^2) over midpoints of a grid (1 / h^2 where quadrangles are made), h the smaller of
+// size_in_face and what the boundary hands on. A face that cannot matter, even if it had triangles of its shortest edge all over, is
+// not sampled. Fillings that are neither count 0. Mostly within 25 % of what comes out, seldom off by half: where sizes change within
+// less than the grid's cells, which are at most a hundredth as many as the elements expected.
+// O(edges on the boundaries + elements / 100).
 bool mesh2d_is_affordable(const Mesh2dInput *in);
 
 #endif

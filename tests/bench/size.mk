@@ -3,3 +3,9 @@
 ## bench-size: crossings, distances, expressions and a coastline in 1D
 bench-size: $(B)/bench/bench_size
 	$<
+
+.PHONY: bench-curves
+## bench-curves: how well the edges on curves fit the sizes, for geo/*.geo or FILES=...
+FILES ?= $(wildcard geo/*.geo)
+bench-curves: $(B)/bench/curve_counts
+	$< -l $(FILES)

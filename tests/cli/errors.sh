@@ -96,3 +96,7 @@ refused "of a transfinite face" 1e8 'Transfinite Curve{1:4}=20001; Transfinite S
 says "about 8e+08 elements" "too many elements, of a transfinite face: exactly"
 printf '%s\n' "$square" 'Mesh.MeshSizeFactor=.2;' >many.geo
 exits 0 "a mesh of about half the limit is made" "$MESHGEN" -2 many.geo -max_elements 12000 -o x.msh
+printf '%s\n' "$square" 'Field[1]=MathEval; Field[1].F="0.1-10*x*(1-x)*y*(1-y)*(x-y)"; Background Field=1;' >many.geo
+exits 1 "sizes that sink below 0 inside a face" "$MESHGEN" -2 many.geo -time_limit 5 -o x.msh
+says "many.geo:3:29: error: field 1 (MathEval) F gives the size" "sizes below 0: field, option, line"
+says "on surface 1; sizes must be positive" "sizes below 0: where"
