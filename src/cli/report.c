@@ -22,7 +22,7 @@ typedef struct {
   const char *name;
   double value;
 } Figure;
-enum { FIGURES = 24 };
+enum { FIGURES = 32 };
 
 static double smallest_angle(const MeshStats *s) { return s->angle.n ? s->angle.min : NAN; }
 
@@ -45,6 +45,9 @@ static size_t figures(const Report *r, Figure f[FIGURES])
       {"min_eta", s->eta.n ? s->eta.min : none},
       {"p5_eta", s->eta.n ? s->eta.p5 : none},
       {"mean_eta", s->eta.n ? s->eta.mean : none},
+      {"min_jacobian", s->jacobian.n ? s->jacobian.min : none},
+      {"p5_jacobian", s->jacobian.n ? s->jacobian.p5 : none},
+      {"mean_jacobian", s->jacobian.n ? s->jacobian.mean : none},
       {"min_angle", smallest_angle(s)},
       {"max_angle", s->angle.n ? s->angle_max : none},
       {"min_edge", s->edge_min},
@@ -179,6 +182,7 @@ static void print_text(const Report *r, FILE *f)
   text_groups(f, s);
   text_measure(f, "gamma", &s->gamma);
   text_measure(f, "eta (quads)", &s->eta);
+  text_measure(f, "scaled Jacobian", &s->jacobian);
   if (s->angle.n) fprintf(f, "  %-16s %.2f to %.2f degrees\n", "angles", s->angle.min, s->angle_max);
   text_worst(f, s, full ? STATS_WORST : 1);
   if (full) text_histogram(f, "gamma", &s->gamma);

@@ -68,6 +68,26 @@ static int angles_of(const Mesh *m, const MeshBlock *k, size_t i, double angle[4
   return n;
 }
 
+double mesh_scaled_jacobian(const Mesh *m, const MeshBlock *k, size_t i)
+{
+  Vec3 p[4], e[4];
+  double length[4], least = 1;
+  mesh_corners(m, k, i, p);
+  for (int c = 0; c < 4; c++) {
+    e[c] = vec3_sub(p[(c + 1) % 4], p[c]);
+    length[c] = vec3_length(e[c]);
+  }
+  Vec3 n = area_vector(p, 4);
+  double size = vec3_length(n);
+  if (!(size > 0)) return -1;
+  for (int c = 0; c < 4; c++) {
+    double scale = size * length[c] * length[(c + 3) % 4];
+    if (!(scale > 0)) return -1;
+    least = fmin(least, vec3_dot(vec3_cross(e[(c + 3) % 4], e[c]), n) / scale);
+  }
+  return least;
+}
+
 void mesh_angle_range(const Mesh *m, const MeshBlock *k, size_t i, double *least, double *largest)
 {
   double angle[4];

@@ -20,6 +20,9 @@ Vec3 mesh_center(const Mesh *m, const MeshBlock *k, size_t i); // mean of the co
 double mesh_size_of(const Mesh *m, const MeshBlock *k, size_t i, Vec3 normal);
 // A measure of a surface element's corners.
 double mesh_measure(const Mesh *m, const MeshBlock *k, size_t i, Measure what);
+// The least, over the corners of a quadrangle, of the cross product of the directions of the two edges there, along the normal of its
+// area vector: 1 for a rectangle, 0 or less if it is not strictly convex; -1 where corners coincide.
+double mesh_scaled_jacobian(const Mesh *m, const MeshBlock *k, size_t i);
 // Smallest and largest interior angle in degrees.
 void mesh_angle_range(const Mesh *m, const MeshBlock *k, size_t i, double *least, double *largest);
 

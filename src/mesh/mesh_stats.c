@@ -56,7 +56,7 @@ static void spread_finish(MeasureStats *s, DoubleVec *values)
 typedef struct {
   MeshStats *s;
   const Mesh *m;
-  DoubleVec gamma, eta, angle;
+  DoubleVec gamma, eta, jacobian, angle;
   double largest[2]; // cosine and sine of the largest angle of a triangle so far, both times the same
   uint64_t number; // of the element at hand
 } Pass;
@@ -110,11 +110,15 @@ static double pass_quad(Pass *p, const MeshBlock *k, size_t i, Vec3 normal)
   mesh_corners(p->m, k, i, x);
   mesh_angle_range(p->m, k, i, &least, &most);
   for (int c = 0; c < 4; c++) note_edge(p->s, vec3_distance(x[c], x[(c + 1) % 4]));
+  double jacobian = mesh_scaled_jacobian(p->m, k, i);
   if (area < 0) eta = -eta;
+  if (area < 0) jacobian = -fabs(jacobian);
   p->s->angle_max = fmax(p->s->angle_max, most);
   vec_push(&p->eta, eta);
+  vec_push(&p->jacobian, jacobian);
   vec_push(&p->angle, least);
   spread_add(&p->s->eta, eta);
+  spread_add(&p->s->jacobian, jacobian);
   spread_add(&p->s->angle, least);
   note_worst(p, k, i, eta);
   p->s->quads++;
@@ -279,7 +283,7 @@ void mesh_stats_make(MeshStats *s, const Mesh *m, const double *size)
   Pass p = {.s = s, .m = m};
   size_t quads = 0;
   for (size_t b = 0; b < m->nblock; b++) quads += elem_corners(m->block[b].type) == 4 ? m->block[b].n : 0;
-  s->gamma.range = s->eta.range = 1;
+  s->gamma.range = s->eta.range = s->jacobian.range = 1;
   s->angle.range = quads ? 90 : 60;
   for (size_t b = 0; b < m->nblock; b++) {
     const MeshBlock *k = &m->block[b];
@@ -297,6 +301,7 @@ void mesh_stats_make(MeshStats *s, const Mesh *m, const double *size)
   if (!(s->edge_min <= s->edge_max)) s->edge_min = 0;
   spread_finish(&s->gamma, &p.gamma);
   spread_finish(&s->eta, &p.eta);
+  spread_finish(&s->jacobian, &p.jacobian);
   spread_finish(&s->angle, &p.angle);
   sum_groups(s, m);
   pass_edges(s, m, size);

@@ -39,6 +39,7 @@ typedef struct {
   double length, area;       // of all line and of all surface elements
   MeasureStats gamma;        // triangles
   MeasureStats eta;          // quadrangles
+  MeasureStats jacobian;     // scaled Jacobian of quadrangles
   MeasureStats angle;        // smallest angle of each surface element, degrees
   double angle_max;          // largest angle of any
   double edge_min, edge_max; // lengths of element edges

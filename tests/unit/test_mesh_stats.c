@@ -76,6 +76,17 @@ static void measures_of_known_shapes(void **state)
   mesh_stats_free(&s);
   mesh_free(m);
 
+  // Scaled Jacobian: the sine of a parallelogram's angle, negative at a reentrant corner.
+  m = one_element(ELEM_QUAD4, (const double[][2]){{0, 0}, {3, 0}, {4, 1}, {1, 1}});
+  mesh_stats_make(&s, m, NULL);
+  assert_int_equal(s.jacobian.n, 1);
+  assert_near(s.jacobian.min, sqrt(0.5), 1e-15);
+  mesh_stats_free(&s);
+  mesh_free(m);
+  m = one_element(ELEM_QUAD4, (const double[][2]){{0, 0}, {2, -1}, {1, 0}, {2, 1}});
+  assert_near(mesh_scaled_jacobian(m, m->block, 0), -1, 1e-15);
+  mesh_free(m);
+
   m = one_element(ELEM_TRI3, (const double[][2]){{0, 0}, {1, 0}, {0, 1}});
   mesh_stats_make(&s, m, NULL);
   assert_near(s.gamma.min, 4 * 0.5 / (1 + sqrt(2)), 1e-15); // 4 sin sin sin / sum of sines, at 90, 45, 45 degrees
