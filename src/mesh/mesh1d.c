@@ -106,6 +106,8 @@ static void measure_one(void *ctx, size_t k, int worker)
   if (size_eval_report(d->eval[worker], sink)) {
     diag_note(sink, d->work[k].c->loc, "met while meshing curve %d", d->work[k].c->tag);
     d->sink[k] = sink;
+  } else if (size_eval_warn(d->eval[worker], sink)) {
+    d->sink[k] = sink;
   } else {
     diag_free(sink);
   }
@@ -270,10 +272,14 @@ static bool merge_messages(Mesher1d *d)
 {
   int before = diag_errors(d->diag);
   size_t more = 0;
+  bool warned = false;
   for (size_t k = 0; k < d->g->ncurve; k++) {
     if (!d->sink[k]) continue;
-    if (diag_errors(d->diag) == before) diag_merge(d->diag, d->sink[k]);
-    else diag_free(d->sink[k]), more++;
+    bool bad = diag_errors(d->sink[k]) > 0, told = bad ? diag_errors(d->diag) > before : warned;
+    more += bad && told;
+    warned = warned || !bad;
+    if (told) diag_free(d->sink[k]);
+    else diag_merge(d->diag, d->sink[k]);
     d->sink[k] = NULL;
   }
   if (more) diag_note(d->diag, NO_LOC, "and the sizes on %zu more curves are bad", more);

@@ -31,32 +31,58 @@ static uint32_t source_of(SizeEval *e, uint32_t k, Where w, Vec3 p)
   return k;
 }
 
+// " at (x, y, z) on curve 3"
+static void name_place(const Fault *f, Str *out)
+{
+  static const char *const what[] = {"point", "curve", "surface"};
+  str_printf(out, "at (%g, %g, %g)", f->at.x, f->at.y, f->at.z);
+  if (f->where.dim >= 0 && f->where.tag > 0) str_printf(out, " on %s %d", what[f->where.dim], f->where.tag);
+}
+
+// The field that a fault comes from, or NULL, and the place of what makes its values.
+static const Field *field_of_fault(SizeEval *e, const Fault *f, SrcLoc *loc)
+{
+  const SizeField *s = e->s;
+  const Node *n = s->root == NONE ? NULL : &s->node[source_of(e, s->root, f->where, f->at)];
+  if (!n || !n->field) return NULL;
+  *loc = n->field->kind == FIELD_MATHEVAL ? field__value(n->field, "F")->loc : n->field->loc;
+  return n->field;
+}
+
 bool size_eval_report(SizeEval *e, Diag *diag)
 {
   if (!e->fault.set) return false;
-  const SizeField *s = e->s;
-  double v = e->fault.value;
-  Vec3 p = e->fault.at;
   e->fault.set = false;
-  static const char *const what[] = {"point", "curve", "surface"};
+  double v = e->fault.value;
   Str where = {0};
-  str_printf(&where, "at (%g, %g, %g)", p.x, p.y, p.z);
-  if (e->fault.where.dim >= 0 && e->fault.where.tag > 0)
-    str_printf(&where, " on %s %d", what[e->fault.where.dim], e->fault.where.tag);
-  const Node *n = s->root == NONE ? NULL : &s->node[source_of(e, s->root, e->fault.where, p)];
-  if (n && n->field) {
-    const Field *f = n->field;
-    SrcLoc loc = f->loc;
-    const char *option = "";
-    if (f->kind == FIELD_MATHEVAL) loc = field__value(f, "F")->loc, option = " F";
-    if (v != v) diag_error(diag, loc, "field %d (%s)%s is not a number %s", f->id, node_type(n), option, str_text(&where));
-    else diag_error(diag, loc, "field %d (%s)%s gives the size %g %s; sizes must be positive (Mesh.MeshSizeMin can bound them)",
-                    f->id, node_type(n), option, v, str_text(&where));
-  } else {
+  name_place(&e->fault, &where);
+  SrcLoc loc;
+  const Field *f = field_of_fault(e, &e->fault, &loc);
+  const char *type = f ? field__type(f->kind)->name : "", *option = f && f->kind == FIELD_MATHEVAL ? " F" : "";
+  if (!f)
     diag_error(diag, NO_LOC, "the size %g %s is not positive", v, str_text(&where));
-  }
+  else if (v != v)
+    diag_error(diag, loc, "field %d (%s)%s is not a number %s", f->id, type, option, str_text(&where));
+  else
+    diag_error(diag, loc, "field %d (%s)%s gives the size %g %s; sizes must be positive (Mesh.MeshSizeMin can bound them)", f->id, type,
+               option, v, str_text(&where));
   str_free(&where);
   return true;
+}
+
+bool size_eval_warn(SizeEval *e, Diag *diag)
+{
+  if (!e->infinite.set) return false;
+  e->infinite.set = false;
+  Str where = {0};
+  name_place(&e->infinite, &where);
+  SrcLoc loc;
+  const Field *f = field_of_fault(e, &e->infinite, &loc);
+  if (f)
+    diag_warning(diag, loc, "field %d (%s)%s is infinite %s, as by a division by zero: it asks for no size there", f->id,
+                 field__type(f->kind)->name, f->kind == FIELD_MATHEVAL ? " F" : "", str_text(&where));
+  str_free(&where);
+  return f != NULL;
 }
 
 // ---- explanations ------------------------------------------------------------------------------------------------------

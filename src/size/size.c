@@ -219,7 +219,11 @@ static double combine(SizeEval *e, double geometry, double v, Vec3 at, Where w)
 {
   const SizeField *s = e->s;
   double h = clamp_and_scale(s, v < geometry ? v : geometry);
-  if (LIKELY(h > 0 && v == v)) return h;
+  if (LIKELY(h > 0 && v < INFINITY)) return h;
+  if (h > 0 && v == v) { // a division by zero: no size there
+    if (!e->infinite.set) e->infinite = (Fault){.set = true, .value = v, .at = at, .where = w};
+    return h;
+  }
   note_fault(e, v, at, w);
   return clamp_and_scale(s, geometry);
 }

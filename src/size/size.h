@@ -54,6 +54,10 @@ void size_in_plane_batch(void *ctx, const Vec2 *p, size_t n, double *h);
 // there was one. For messages that do not depend on threads call it once per entity, with a child sink merged in order.
 bool size_eval_report(SizeEval *e, Diag *diag);
 
+// The same for the first place where the background field was infinite, as a division by zero makes it, and so asked for no size: a
+// warning. Not "no size" (1e22).
+bool size_eval_warn(SizeEval *e, Diag *diag);
+
 bool size_has_field(const SizeField *s);  // a background field or view
 double size_diagonal(const SizeField *s); // D
 double size_factor(const SizeField *s);   // MeshSizeFactor

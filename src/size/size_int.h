@@ -69,6 +69,15 @@ typedef struct {
   double value[BATCH];
 } Memo;
 
+// A size that is none, and where.
+typedef struct {
+  bool set;
+  const Field *field;
+  double value;
+  Vec3 at;
+  Where where;
+} Fault;
+
 struct SizeEval {
   const SizeField *s;
   uint64_t serial;
@@ -77,13 +86,7 @@ struct SizeEval {
   double *stack;        // scratch: taken and given back in order
   size_t used, cap;
   Vec(double *) spare;  // older stacks still in use
-  struct {
-    bool set;
-    const Field *field;
-    double value;
-    Vec3 at;
-    Where where;
-  } fault;
+  Fault fault, infinite; // the first one each
 };
 
 // Scratch of n doubles. Take `size_t mark = size__mark(e)` before and size__release(e, mark) when done, in nested order.

@@ -100,3 +100,7 @@ printf '%s\n' "$square" 'Field[1]=MathEval; Field[1].F="0.1-10*x*(1-x)*y*(1-y)*(
 exits 1 "sizes that sink below 0 inside a face" "$MESHGEN" -2 many.geo -time_limit 5 -o x.msh
 says "many.geo:3:29: error: field 1 (MathEval) F gives the size" "sizes below 0: field, option, line"
 says "on surface 1; sizes must be positive" "sizes below 0: where"
+printf '%s\n' "$square" 'Field[1]=MathEval; Field[1].F="0.01+0.1/x"; Background Field=1;' >many.geo
+exits 0 "a division by zero" "$MESHGEN" -2 many.geo -o x.msh
+says "many.geo:3:29: warning: field 1 (MathEval) F is infinite at (0, " "division by zero: field, option, line, place"
+check "division by zero: one warning" test "$(grep -c warning: err.txt)" = 1
