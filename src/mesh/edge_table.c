@@ -84,6 +84,7 @@ static void copy_entities(Mesh *out, const Mesh *m)
     for (size_t k = 0; k < from->boundary.len; k++) vec_push(&to->boundary, from->boundary.data[k]);
     for (size_t k = 0; k < from->embedded.len; k++) vec_push(&to->embedded, from->embedded.data[k]);
   }
+  out->volumes_grouped = m->volumes_grouped;
   for (size_t i = 0; i < m->ngroup; i++) mesh_add_group(out, m->group[i].dim, m->group[i].tag, m->group[i].name);
 }
 

@@ -156,5 +156,5 @@ bool mesh_is_grouped(const Mesh *m)
 {
   for (size_t i = 0; i < m->nentity; i++)
     if (m->entity[i].physical.len) return true;
-  return false;
+  return m->volumes_grouped;
 }

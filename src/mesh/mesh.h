@@ -73,6 +73,7 @@ typedef struct {
   size_t nblock, block_cap;
   MeshBlock *block;        // by entity index, then type
   size_t ngroup, group_cap;
+  bool volumes_grouped; // a group has volumes: they are no entities here, but decide what is saved
   MeshGroup *group;        // by dim, then tag; every physical tag in entity[].physical is here
   size_t nperiodic, periodic_cap;
   MeshPeriodic *periodic;
@@ -93,7 +94,7 @@ uint32_t mesh_find_entity(const Mesh *m, int dim, int tag); // index or NONE; O(
 const MeshGroup *mesh_find_group(const Mesh *m, int dim, int tag);
 size_t mesh_count(const Mesh *m, int dim);                  // elements of a dimension
 size_t mesh_count_type(const Mesh *m, ElemType t);
-// True if some entity is in a physical group: then only elements of such entities are saved, unless all are asked for.
+// True if some entity, a volume included, is in a physical group: then only elements of such entities are saved, unless all are asked for.
 bool mesh_is_grouped(const Mesh *m);
 static inline Vec3 mesh_xyz(const Mesh *m, uint32_t n)
 {

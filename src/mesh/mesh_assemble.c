@@ -3,6 +3,7 @@
 #include "base/base.h"
 
 #include "mesh/mesh2d.h"
+#include "model/model_edit.h"
 
 static void set_box(MeshEntity *e, Box3 b)
 {
@@ -57,8 +58,10 @@ static void add_groups(Mesh *mesh, const Model *m, bool oriented)
 {
   for (size_t k = 0; k < model_groups(m); k++) {
     const Group *g = model_group_at(m, k);
-    if (g->dim > 2) continue;
     mesh_add_group(mesh, g->dim, g->tag, g->name);
+    for (size_t i = 0; g->dim == 3 && i < g->entity.len; i++)
+      mesh->volumes_grouped |= model_has(m, 3, abs(g->entity.data[i]));
+    if (g->dim == 3) continue;
     for (size_t i = 0; i < g->entity.len; i++) {
       int tag = g->entity.data[i];
       uint32_t e = mesh_find_entity(mesh, g->dim, abs(tag));

@@ -222,10 +222,10 @@ static void check_groups(Check *c)
 {
   const Mesh *m = c->m;
   Map known = {0}, filled = {0};
-  Names names[3] = {{0}, {0}, {0}};
+  Names names[4] = {{0}, {0}, {0}, {0}};
   for (size_t g = 0; g < m->ngroup; g++) {
     const MeshGroup *a = &m->group[g];
-    bool fine = a->dim >= 0 && a->dim <= 2 && a->tag >= 0;
+    bool fine = a->dim >= 0 && a->dim <= 3 && a->tag >= 0;
     if (!fine) {
       check__report(c, RULE_GROUP, false, NONE, NONE, 0, NONE, nowhere, "a group of dimension %d with tag %d", a->dim, a->tag);
       continue;
@@ -249,11 +249,11 @@ static void check_groups(Check *c)
         check__report(c, RULE_GROUP, false, e, NONE, 0, NONE, nowhere, "it is in group %d, which does not exist",
                       abs(m->entity[e].physical.data[i]));
   for (size_t g = 0; g < m->ngroup; g++)
-    if (map_get(&filled, (uint64_t)m->group[g].dim << 32 | (uint32_t)m->group[g].tag) == NONE)
+    if (m->group[g].dim < 3 && map_get(&filled, (uint64_t)m->group[g].dim << 32 | (uint32_t)m->group[g].tag) == NONE)
       check__report(c, RULE_GROUP, true, NONE, NONE, 0, NONE, nowhere, "group %d%s%.60s%s of dimension %d has no elements",
                     m->group[g].tag, m->group[g].name ? " '" : "", m->group[g].name ? m->group[g].name : "",
                     m->group[g].name ? "'" : "", m->group[g].dim);
-  for (int d = 0; d < 3; d++) names_free(&names[d]);
+  for (int d = 0; d < 4; d++) names_free(&names[d]);
   map_free(&known);
   map_free(&filled);
 }

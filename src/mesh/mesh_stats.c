@@ -156,6 +156,7 @@ static bool in_group(const MeshEntity *e, const MeshGroup *g)
 static void sum_groups(MeshStats *s, const Mesh *m)
 {
   for (size_t g = 0; g < m->ngroup; g++) {
+    if (m->group[g].dim > 2) continue; // of volumes, which have no mesh
     PartStats part = {.dim = m->group[g].dim, .tag = m->group[g].tag, .name = m->group[g].name};
     for (size_t i = 0; i < s->entity.len; i++) {
       const PartStats *e = &s->entity.data[i];

@@ -149,3 +149,18 @@ prints "(DEFINE Point 1 (LIST 0 x 0))" "it prints the tree"
 printf 'Point(1) = {0, 0, 0;\n' >tree.geo
 exits 1 "-dump_ast of what does not parse" "$MESHGEN" -dump_ast tree.geo
 says "tree.geo:1:20: error:" "the place is named"
+
+# ---- groups of volumes: they decide what is saved, as groups of faces do ----
+cat >volume.geo <<'GEO'
+Point(1) = {0, 0, 0, 0.5};
+l[] = Extrude {1, 0, 0} { Point{1}; };
+s[] = Extrude {0, 1, 0} { Curve{l[1]}; };
+v[] = Extrude {0, 0, 1} { Surface{s[1]}; };
+Physical Volume("solid", 7) = {v[1]};
+GEO
+exits 0 "a group of volumes only" "$MESHGEN" volume.geo -2 -format msh22 -o volume.msh
+says "surface elements are dropped on saving" "the loss is told"
+check "nothing is saved but the name" awk '/^\$Nodes/ { getline; n = $1 } /^\$Elements/ { getline; e = $1 } /^3 7 "solid"$/ { name = 1 }
+    END { exit !(n == "0" && e == "0" && name) }' volume.msh
+exits 0 "-save_all" "$MESHGEN" volume.geo -2 -format msh22 -save_all -o volume.msh
+check "all is saved, and the name" awk '/^\$Elements/ { getline; e = $1 } /^3 7 "solid"$/ { name = 1 } END { exit !(e > 50 && name) }' volume.msh
