@@ -138,6 +138,32 @@ static void the_nearest_of_all_is_found(void **state)
   nearest_free(n);
 }
 
+// A chain far from the origin, asked without a hint, with a useless one and with the last: the distance is the same to the bit.
+static void hints_do_not_change_a_distance(void **state)
+{
+  (void)state;
+  enum { N = 3000, QUERIES = 2000 };
+  Rng rng = {11};
+  Nearest *n = nearest_new(NULL, NULL);
+  Vec3 a[N + 1];
+  for (int i = 0; i <= N; i++) a[i] = (Vec3){1e5 + 0.01 * i, -3e4 + sin(0.003 * i) + 0.02 * sin(1.7 * i), 7 + cos(0.002 * i)};
+  for (int i = 0; i < N; i++) nearest_add(n, a[i], a[i + 1], 0, (uint32_t)i, 0, 1);
+  nearest_build(n);
+  uint32_t last = NONE;
+  for (int q = 0; q < QUERIES; q++) {
+    Vec3 p = {1e5 - 5 + 40 * rng_double(&rng), -3e4 - 3 + 6 * rng_double(&rng), 5 + 4 * rng_double(&rng)};
+    double best = INFINITY;
+    for (int i = 0; i < N; i++) best = fmin(best, segment_distance(p, a[i], a[i + 1]));
+    NearestHit hit = nearest_query(n, p, INFINITY, NONE), again = nearest_query(n, p, INFINITY, (uint32_t)(q % 50));
+    NEAR(hit.distance, best, 1e-10);
+    assert_true(again.distance == hit.distance);
+    again = nearest_query(n, p, INFINITY, last);
+    assert_true(again.distance == hit.distance);
+    last = again.leaf;
+  }
+  nearest_free(n);
+}
+
 static void cones_are_the_least_of_all(void **state)
 {
   (void)state;
@@ -617,6 +643,7 @@ int main(void)
     cmocka_unit_test(bad_expressions_say_where),
     cmocka_unit_test(common_parts_are_computed_once),
     cmocka_unit_test(the_nearest_of_all_is_found),
+    cmocka_unit_test(hints_do_not_change_a_distance),
     cmocka_unit_test(cones_are_the_least_of_all),
     cmocka_unit_test(old_names_and_mistakes),
     cmocka_unit_test(shapes_have_their_values),
