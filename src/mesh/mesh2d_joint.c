@@ -280,6 +280,73 @@ static void build_graph(Plane *p)
   }
 }
 
+// ---- where the angle is not reached -------------------------------------------------------------------------------------
+enum { LISTED = 10 };
+
+// Name the curves that meet at vertex v inside a face at under 60 degrees: as many as `left` allows in the log, all as notes, which
+// the JSON report lists. Returns how many there are.
+static size_t say_acute(const Plane *p, VertId v, size_t left)
+{
+  const Tri *t = &p->tri;
+  EdgeId first = t->hint[v];
+  while (!tri_is_segment(t, first)) first = tri_ccw(t, first); // an acute vertex has segments
+  EdgeId e = first, from = first;
+  double angle = 0;
+  size_t n = 0;
+  do {
+    if (tri_is_inside(t, tri_of(e))) {
+      const double *o = tri_xy(t, v), *a = tri_xy(t, tri_dest(t, e)), *b = tri_xy(t, tri_apex(t, e));
+      double x = a[0] - o[0], y = a[1] - o[1], u = b[0] - o[0], w = b[1] - o[1];
+      angle += atan2(x * w - y * u, x * u + y * w);
+    } else {
+      angle = INFINITY; // outside does not matter
+    }
+    e = tri_ccw(t, e);
+    if (!tri_is_segment(t, e)) continue;
+    if (angle < M_PI / 3) {
+      Vec3 at = vertex_place(p, v);
+      Diag *d = p->in->diag;
+      const Curve *c = model_curve(p->in->model, p->graph.curve.data[t->seg[from]]);
+      int other = p->graph.curve.data[t->seg[e]];
+      double degrees = angle * (180 / M_PI);
+      if (n++ < left)
+        log_info(d, "  curves %d and %d meet at (%g, %g, %g) at %.4g degrees", c->tag, other, at.x, at.y, at.z, degrees);
+      diag_note(d, c->loc, "curves %d and %d meet at (%g, %g, %g) at %.4g degrees: triangles there have angles below %g", c->tag,
+                other, at.x, at.y, at.z, degrees, p->in->options->Mesh_MinimumAngle);
+    }
+    angle = 0, from = e;
+  } while (e != first);
+  return n;
+}
+
+// Say how many triangles are below the angle, and at which input angles, or what else holds them.
+static void say_skinny(const Plane *p, const TriSkinnyVec *skinny)
+{
+  if (!skinny->len) return;
+  Diag *d = p->in->diag;
+  const double wanted = p->in->options->Mesh_MinimumAngle;
+  uint8_t *seen = mem_zalloc(p->tri.nv);
+  size_t places = 0, stuck = 0;
+  TriId example = NONE;
+  for (size_t i = 0; i < skinny->len; i++) {
+    TriSkinny s = skinny->data[i];
+    if (s.corner != NONE) seen[s.corner] = 1;
+    else if (!stuck++) example = s.tri;
+  }
+  if (skinny->len > stuck)
+    log_info(d, "%zu triangles have an angle below %g degrees, at input angles under 60 degrees", skinny->len - stuck, wanted);
+  for (VertId v = 0; v < p->tri.nv; v++)
+    if (seen[v]) places += say_acute(p, v, places < LISTED ? LISTED - places : 0);
+  if (places > LISTED) log_info(d, "  and %zu more", places - LISTED);
+  if (stuck) {
+    Vec3 at = vertex_place(p, p->tri.vert[3 * (size_t)example]);
+    diag_warning(d, p->frame->loc,
+                 "%zu triangles have an angle below %g degrees where boundary edges may not be split any more, the first at (%g, %g, %g)",
+                 stuck, wanted, at.x, at.y, at.z);
+  }
+  free(seen);
+}
+
 static bool mesh_plane(Plane *p)
 {
   const Options *o = p->in->options;
@@ -303,19 +370,20 @@ static bool mesh_plane(Plane *p)
   r.conforming = o->Mesh_ConformingDelaunay;
   r.split = split_point;
   r.split_ctx = p;
+  TriSkinnyVec skinny = {0};
+  r.skinny_out = &skinny;
   FaceCross cross = {0};
   face_cross_prepare(&cross, t, &r);
   TriRefineStats s = tri_refine(t, &r);
   face_cross_free(&cross);
   size_eval_report(eval, p->in->diag);
   size_eval_free(eval);
+  if (s.outcome == REFINE_DONE) say_skinny(p, &skinny);
+  vec_free(&skinny);
   if (s.outcome == REFINE_LIMIT) {
     diag_error(p->in->diag, p->frame->loc, "more than %zu triangles (Mesh.MaxElements, -max_elements)", r.max_triangles);
     return false;
   }
-  if (s.skinny)
-    log_info(p->in->diag, "%zu triangles have an angle below %g degrees, at input angles under 60 degrees", s.skinny,
-             o->Mesh_MinimumAngle);
   return true;
 }
 
@@ -385,6 +453,37 @@ static void hold_curves(const Model *m, const Face *f, Map *held)
   vec_free(&start);
 }
 
+// Face k was meshed by rules of its own, which know no smallest angle: say where its triangles are below it.
+static void say_apart(const Mesh2dInput *in, const EdgeNodes *nodes, size_t k, const FaceMesh *f)
+{
+  const double wanted = in->options->Mesh_MinimumAngle;
+  size_t n = 0;
+  double worst = wanted;
+  Vec3 at = {0};
+  for (size_t i = 0; i < f->ntri; i++) {
+    Vec3 x[3];
+    for (int j = 0; j < 3; j++) {
+      uint32_t id = f->tri[3 * i + j];
+      x[j] = id < nodes->n ? nodes->xyz[id] : f->own[id - nodes->n];
+    }
+    double least = 180;
+    Vec3 where = x[0];
+    for (int j = 0; j < 3; j++) {
+      Vec3 a = vec3_sub(x[(j + 1) % 3], x[j]), b = vec3_sub(x[(j + 2) % 3], x[j]);
+      double angle = atan2(vec3_length(vec3_cross(a, b)), vec3_dot(a, b)) * (180 / M_PI);
+      if (angle < least) least = angle, where = x[j];
+    }
+    if (least < wanted - 1e-9) n++;
+    if (least < worst) worst = least, at = where;
+  }
+  if (!n) return;
+  const Face *face = model_face_at(in->model, k);
+  diag_warning(in->diag, face->loc,
+               "surface %d (%s) is meshed without a smallest angle: %zu triangles have less than %g degrees, the least %.4g at (%g, %g, %g)",
+               face->tag, boundary_layers_on(in->layers, k) ? "with boundary layers" : "structured or not plane", n, wanted, worst,
+               at.x, at.y, at.z);
+}
+
 size_t mesh2d_joint_run(const Mesh2dInput *in, Mesh1d *curves, EdgeNodes *nodes, FaceMesh *face)
 {
   const Model *m = in->model;
@@ -439,6 +538,8 @@ size_t mesh2d_joint_run(const Mesh2dInput *in, Mesh1d *curves, EdgeNodes *nodes,
     for (size_t i = 0; i < nplane; i++)
       extract_plane(&plane[i], nodes, &chain[i], &start[i], &changed[i], face);
     failed = mesh2d_run_some(in, nodes, apart.data, apart.len, face);
+    for (size_t i = 0; i < apart.len && in->options->Mesh_MinimumAngle > 0; i++)
+      if (!face[apart.data[i]].failed) say_apart(in, nodes, apart.data[i], &face[apart.data[i]]);
   }
   map_free(&held);
   vec_free(&apart);

@@ -24,6 +24,14 @@ typedef enum {
   REFINE_CANCELLED, // the callback said so: a valid mesh, unfinished
 } RefineOutcome;
 
+// A triangle left below min_angle, and the vertex where segments meet at under 60 degrees that is the cause; NONE: something else,
+// such as a segment that must stay whole.
+typedef struct {
+  TriId tri;
+  VertId corner;
+} TriSkinny;
+typedef Vec(TriSkinny) TriSkinnyVec;
+
 typedef struct {
   RefineAlgorithm algorithm;
 
@@ -58,6 +66,8 @@ typedef struct {
   // Told after each split which vertex it is; may be NULL. Vertices of splits are never renumbered.
   void (*placed)(void *ctx, VertId u, VertId v, VertId w);
   void *split_ctx;
+  // Gets the triangles left below min_angle, in the order of their ids, in an array that the caller frees; NULL: not wanted.
+  TriSkinnyVec *skinny_out;
 
   // Gets the wanted edge length at each vertex, boundary sizes included, in an array that the caller frees; NULL: not wanted.
   double **sizes_out;
@@ -72,7 +82,7 @@ typedef struct {
   size_t inserted;   // vertices added in the interior
   size_t split;      // vertices added on segments
   size_t flips, moves, collapses; // by the optimization (and by MeshAdapt)
-  size_t skinny;     // triangles below min_angle that no rule may split: at input angles under 60 degrees
+  size_t skinny;     // triangles left below min_angle: no rule may split them
 } TriRefineStats;
 
 // The defaults: frontal, extending from the boundary, one smoothing pass, optimization of level 1.

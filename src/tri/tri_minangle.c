@@ -211,18 +211,18 @@ static bool split_segment(MinAngle *q, EdgeId e)
 // ---- skinny triangles ----------------------------------------------------------------------------------------------
 
 // Do u and v, of which neither or one is an input vertex, lie on two segments that meet at an acute input vertex, at one distance
-// from it? Then their distance is the input's doing.
-static bool on_one_shell(const MinAngle *q, VertId u, VertId v)
+// from it? Then their distance is the input's doing. That vertex, or NONE.
+static VertId shell_centre(const MinAngle *q, VertId u, VertId v)
 {
-  if (is_given(q, u) || is_given(q, v) || q->from.data[u] == NONE || q->from.data[v] == NONE) return false;
+  if (is_given(q, u) || is_given(q, v) || q->from.data[u] == NONE || q->from.data[v] == NONE) return NONE;
   const VertId eu[2] = {q->from.data[u], q->to.data[u]}, ev[2] = {q->from.data[v], q->to.data[v]};
   for (int i = 0; i < 2; i++)
     for (int j = 0; j < 2; j++) {
       if (eu[i] != ev[j] || eu[1 - i] == ev[1 - j] || q->meet[eu[i]] != MEET_ACUTE) continue;
       double a = dist(q->r->m, eu[i], u), b = dist(q->r->m, eu[i], v);
-      if (fabs(a - b) < 1e-3 * a) return true;
+      if (fabs(a - b) < 1e-3 * a) return eu[i];
     }
-  return false;
+  return NONE;
 }
 
 // Is the angle opposite to the shortest side one between two input segments?
@@ -236,7 +236,40 @@ static bool is_input_angle(const MinAngle *q, EdgeId side)
 static bool excused(const MinAngle *q, EdgeId side)
 {
   const Tri *m = q->r->m;
-  return is_input_angle(q, side) || on_one_shell(q, tri_org(m, side), tri_dest(m, side));
+  return is_input_angle(q, side) || shell_centre(q, tri_org(m, side), tri_dest(m, side)) != NONE;
+}
+
+// The acute vertex of the input that keeps the triangle of `side`, its shortest, skinny: the one that excuses it, else a corner of
+// the triangle or the end of an input segment that a corner lies on; NONE if there is none.
+static VertId acute_vertex(const MinAngle *q, EdgeId side)
+{
+  const Tri *m = q->r->m;
+  if (is_input_angle(q, side)) return tri_apex(m, side);
+  VertId centre = shell_centre(q, tri_org(m, side), tri_dest(m, side));
+  if (centre != NONE) return centre;
+  TriId t = tri_of(side);
+  for (EdgeId e = 3 * t; e < 3 * t + 3; e++)
+    if (is_given(q, m->vert[e]) && q->meet[m->vert[e]] == MEET_ACUTE) return m->vert[e];
+  for (EdgeId e = 3 * t; e < 3 * t + 3; e++) {
+    VertId v = m->vert[e];
+    if (q->from.data[v] == NONE) continue;
+    if (q->meet[q->from.data[v]] == MEET_ACUTE) return q->from.data[v];
+    if (q->meet[q->to.data[v]] == MEET_ACUTE) return q->to.data[v];
+  }
+  return NONE;
+}
+
+static void count_skinny(MinAngle *q)
+{
+  const Tri *m = q->r->m;
+  TriSkinnyVec *out = q->r->p->skinny_out;
+  for (TriId t = 0; t < m->nt; t++) {
+    EdgeId side;
+    if (!tri_is_inside(m, t) || radius_edge2(m, t, &side) <= q->bound) continue;
+    q->r->stats->skinny++;
+    TriSkinny s = {t, acute_vertex(q, side)};
+    if (out) vec_push(out, s);
+  }
 }
 
 // The circumcentre, or the point before the shortest side under which it is seen at the angle wanted, if that is nearer.
@@ -345,10 +378,7 @@ void refine__min_angle(Refiner *r, double degrees, VertId given)
     VertId v[3] = {m->vert[3 * t], m->vert[3 * t + 1], m->vert[3 * t + 2]};
     if (improve(&q, t) && memcmp(v, m->vert + 3 * (size_t)t, sizeof v) == 0) consider(&q, t);
   }
-  for (t = 0; t < m->nt; t++) {
-    EdgeId side;
-    if (tri_is_inside(m, t) && radius_edge2(m, t, &side) > q.bound) r->stats->skinny++;
-  }
+  count_skinny(&q);
   finish(&q);
 }
 

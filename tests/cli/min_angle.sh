@@ -23,8 +23,39 @@ Plane Surface(2) = {2};
 END
 exits 0 "sharp faces of opposite sense" "$MESHGEN" -2 sharp.geo -min_angle 30 -no_report -o sharp.msh
 says "at input angles under 60 degrees" "what cannot reach the angle is counted"
+says "meet at (0, 0, 0) at 3.434 degrees" "and listed with its place"
+"$MESHGEN" -2 sharp.geo -min_angle 30 --json -o sharp.msh >sharp.json 2>/dev/null
+if grep -q '"text": "curves [13] and [13] meet at (0, 0, 0) at 3.434 degrees' sharp.json; then
+  ok "and in the JSON report"
+else
+  not_ok "and in the JSON report"
+fi
 exits 0 "sharp faces are valid" "$MESHGEN" check sharp.msh
 
 exits 0 "transfinite faces keep their grids" "$MESHGEN" -2 "$ROOT/geo/backward_step.geo" -min_angle 30 -no_report -o step.msh
 exits 0 "they are valid" "$MESHGEN" check step.msh
+
+# faces with boundary layers know no smallest angle: where they fall short is said, with the place
+cat >layer.geo <<'END'
+SetFactory("Built-in");
+Point(1) = {0, 0, 0, 0.3};
+Point(2) = {1, 0, 0, 0.3};
+Point(3) = {1, 1, 0, 0.3};
+Point(4) = {0, 1, 0, 0.3};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4};
+Plane Surface(1) = {1};
+Field[1] = BoundaryLayer;
+Field[1].CurvesList = {1};
+Field[1].Size = 0.005;
+Field[1].Ratio = 1.2;
+Field[1].Thickness = 0.1;
+Field[1].Quads = 0;
+BoundaryLayer Field = 1;
+END
+exits 0 "a face with boundary layers" "$MESHGEN" -2 layer.geo -min_angle 30 -no_report -o layer.msh
+says "surface 1 (with boundary layers) is meshed without a smallest angle" "is not passed over in silence"
 exits 1 "an angle beyond reach is refused" "$MESHGEN" -2 "$ROOT/geo/conge.geo" -min_angle 50 -o x.msh
