@@ -290,19 +290,11 @@ static size_t say_acute(const Plane *p, VertId v, size_t left)
   const Tri *t = &p->tri;
   EdgeId first = t->hint[v];
   while (!tri_is_segment(t, first)) first = tri_ccw(t, first); // an acute vertex has segments
-  EdgeId e = first, from = first;
-  double angle = 0;
+  EdgeId e = first;
   size_t n = 0;
   do {
-    if (tri_is_inside(t, tri_of(e))) {
-      const double *o = tri_xy(t, v), *a = tri_xy(t, tri_dest(t, e)), *b = tri_xy(t, tri_apex(t, e));
-      double x = a[0] - o[0], y = a[1] - o[1], u = b[0] - o[0], w = b[1] - o[1];
-      angle += atan2(x * w - y * u, x * u + y * w);
-    } else {
-      angle = INFINITY; // outside does not matter
-    }
-    e = tri_ccw(t, e);
-    if (!tri_is_segment(t, e)) continue;
+    EdgeId from = e;
+    double angle = tri_wedge(t, &e);
     if (angle < M_PI / 3) {
       Vec3 at = vertex_place(p, v);
       Diag *d = p->in->diag;
@@ -314,7 +306,6 @@ static size_t say_acute(const Plane *p, VertId v, size_t left)
       diag_note(d, c->loc, "curves %d and %d meet at (%g, %g, %g) at %.4g degrees: triangles there have angles below %g", c->tag,
                 other, at.x, at.y, at.z, degrees, p->in->options->Mesh_MinimumAngle);
     }
-    angle = 0, from = e;
   } while (e != first);
   return n;
 }

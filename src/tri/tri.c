@@ -4,6 +4,8 @@
 
 #include "tri/tri_int.h"
 
+#include <math.h>
+
 void tri_init(Tri *m)
 {
   memset(m, 0, sizeof *m);
@@ -174,6 +176,22 @@ EdgeId tri_find_edge(const Tri *m, VertId a, VertId b)
 static bool dropped(const Tri *m, TriId t, bool drop_outside)
 {
   return tri_is_free(m, t) || (drop_outside && !tri_is_inside(m, t));
+}
+
+double tri_wedge(const Tri *m, EdgeId *e)
+{
+  double angle = 0;
+  do {
+    if (tri_is_inside(m, tri_of(*e))) {
+      const double *o = tri_xy(m, tri_org(m, *e)), *a = tri_xy(m, tri_dest(m, *e)), *b = tri_xy(m, tri_apex(m, *e));
+      double x = a[0] - o[0], y = a[1] - o[1], u = b[0] - o[0], w = b[1] - o[1];
+      angle += atan2(x * w - y * u, x * u + y * w);
+    } else {
+      angle = INFINITY;
+    }
+    *e = tri_ccw(m, *e);
+  } while (!tri_is_segment(m, *e));
+  return angle;
 }
 
 void tri_compact(Tri *m, bool drop_outside)

@@ -96,6 +96,9 @@ void tri_make_hints(Tri *m);
 EdgeId tri_edge_at(const Tri *m, VertId v);
 // The half-edge a -> b, or NONE. O(degree of a), with hints.
 EdgeId tri_find_edge(const Tri *m, VertId a, VertId b);
+// The angle from segment *e counterclockwise to the next segment with its origin, which *e becomes (the same one if there is no
+// other). INFINITY if a part of it is not inside the domain. O(triangles between).
+double tri_wedge(const Tri *m, EdgeId *e);
 // Squeeze out free slots; with drop_outside also ghosts and triangles outside the domain, whose neighbours get twin NONE
 // (then only reading is allowed). Keeps the order of triangles. O(nt).
 void tri_compact(Tri *m, bool drop_outside);

@@ -106,21 +106,10 @@ static void find_acute(MinAngle *q)
     } while (e != first);
     if (!tri_is_segment(m, e)) continue;
     first = e;
-    double angle = 0;
     do {
-      if (tri_is_inside(m, tri_of(e))) {
-        const double *o = tri_xy(m, v), *a = tri_xy(m, tri_dest(m, e)), *b = tri_xy(m, tri_apex(m, e));
-        double x = a[0] - o[0], y = a[1] - o[1], u = b[0] - o[0], w = b[1] - o[1];
-        angle += atan2(x * w - y * u, x * u + y * w);
-      } else {
-        angle = INFINITY; // outside does not matter
-      }
-      e = tri_ccw(m, e);
-      if (tri_is_segment(m, e)) {
-        int how = angle < 1.0472 ? MEET_ACUTE : angle < 2.1 ? MEET_SHELLS : MEET_WIDE;
-        if (how > q->meet[v]) q->meet[v] = (uint8_t)how;
-        angle = 0;
-      }
+      double angle = tri_wedge(m, &e); // outside does not matter: it is infinite there
+      int how = angle < 1.0472 ? MEET_ACUTE : angle < 2.1 ? MEET_SHELLS : MEET_WIDE;
+      if (how > q->meet[v]) q->meet[v] = (uint8_t)how;
     } while (e != first);
   }
 }
