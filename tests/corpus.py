@@ -129,18 +129,22 @@ def compare_members(opt, scratch, name, msh, row):
         row["note"] = (row["note"] + "; " if row["note"] else "") + bad
 
 
+def copy_beside(path, scratch):
+    """A copy of the script, since it may write files beside itself, with the rest of its folder linked for Include."""
+    folder, name = os.path.split(os.path.abspath(path))
+    for f in os.listdir(folder):
+        if f != name:
+            os.symlink(os.path.join(folder, f), os.path.join(scratch, f))
+    shutil.copy(path, os.path.join(scratch, name))
+
+
 def run_one(job):
     path, opt = job
     name = os.path.basename(path)
     row = {"file": name, "parsed": "-", "meshed": "-", "audited": "-", "compared": "-", "note": "", "lines": "", "elements": ""}
     scratch = tempfile.mkdtemp(prefix="meshgen-corpus.")
     try:
-        # scripts write files beside themselves: run a copy, with the whole folder linked for Include
-        folder = os.path.dirname(os.path.abspath(path))
-        for f in os.listdir(folder):
-            if f != name:
-                os.symlink(os.path.join(folder, f), os.path.join(scratch, f))
-        shutil.copy(path, os.path.join(scratch, name))
+        copy_beside(path, scratch)
         prog = os.environ.get("MESHGEN", os.path.join(ROOT, "build/release/meshgen"))
         msh = os.path.join(scratch, "out.msh2")
 
@@ -217,11 +221,7 @@ def recombine_one(job):
     row = {"file": name, "algorithm": algorithm, "method": method, "state": "-", "quads": 0, "triangles": 0, "seconds": 0.0, "note": "", "pass": False}
     scratch = tempfile.mkdtemp(prefix="meshgen-corpus.")
     try:
-        folder = os.path.dirname(os.path.abspath(path))
-        for f in os.listdir(folder):
-            if f != name:
-                os.symlink(os.path.join(folder, f), os.path.join(scratch, f))
-        shutil.copy(path, os.path.join(scratch, name))
+        copy_beside(path, scratch)
         prog = os.environ.get("MESHGEN", os.path.join(ROOT, "build/release/meshgen"))
         args = [prog, "-2", "-v", "2", name, "-o", "out.msh2", "-format", "msh2", "-no_report"]
         for key, value in (("Algorithm", algorithm), ("RecombineAll", 1), ("RecombinationAlgorithm", method)):
