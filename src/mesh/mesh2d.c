@@ -123,6 +123,13 @@ static double *embedded_sizes(const Driver *d, const Face *f, const FaceGraph *g
   return size;
 }
 
+// A face that is not meshed together with its neighbours must leave their common curves alone, whatever angle is wanted.
+static bool keep_whole(void *ctx, VertId u, VertId v, double at, Vec2 *point)
+{
+  (void)ctx, (void)u, (void)v, (void)at, (void)point;
+  return false;
+}
+
 // False, with nothing said and nothing made, if `coarse` (every second boundary node left out, and put back at the end) gives
 // no valid mesh: the coarse polygon of a curve of few edges may overlap itself or be far from the curve.
 static bool try_plane_face(const Driver *d, size_t k, SizeEval *eval, bool coarse, FaceMesh *out, Diag *diag)
@@ -156,6 +163,8 @@ static bool try_plane_face(const Driver *d, size_t k, SizeEval *eval, bool coars
     double *sizes = NULL, *bound = embedded_sizes(d, f, &g, eval);
     p.vertex_size = bound;
     p.sizes_out = &sizes;
+    if (!map.filling && !face_is_recombined(f, d->in->options)) p.min_angle = d->in->options->Mesh_MinimumAngle;
+    p.split = keep_whole;
     FaceCross cross = {0};
     face_cross_prepare(&cross, &t, &p);
     TriRefineStats s = tri_refine(&t, &p);

@@ -5,9 +5,10 @@
 
 #include "mesh/mesh2d.h"
 
-// Mesh.MinimumAngle and Mesh.ConformingDelaunay split edges of the boundary, for all faces on a curve alike. So all faces of a
-// plane are meshed in one triangulation; the curves' meshes and `nodes` are changed to the result. Faces that overlap, and curves
-// shared by faces of different planes, are errors. Curves with prescribed nodes (transfinite, periodic, copied, layers)
+// Mesh.MinimumAngle and Mesh.ConformingDelaunay split edges of the boundary, for all faces on a curve alike. So faces of one plane
+// that share curves are meshed in one triangulation (face_cluster.h), and where that cannot be (curves shared between planes, faces
+// that overlap, a crack with nodes on either side) in rounds, anew whenever another has split a curve, until all agree. The curves'
+// meshes and `nodes` are changed to the result. Curves with prescribed nodes (transfinite, periodic and their masters, copied, layers)
 // stay whole, and so do those of faces that are not triangulated freely (structured, with boundary layers, not plane), which are meshed
 // afterwards as mesh2d_run does. Faces to be recombined stay triangles, with a warning.
 // face[] as in mesh2d_run. Returns the number of faces that failed.

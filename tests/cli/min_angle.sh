@@ -35,7 +35,7 @@ exits 0 "sharp faces are valid" "$MESHGEN" check sharp.msh
 exits 0 "transfinite faces keep their grids" "$MESHGEN" -2 "$ROOT/geo/backward_step.geo" -min_angle 30 -no_report -o step.msh
 exits 0 "they are valid" "$MESHGEN" check step.msh
 
-# faces with boundary layers know no smallest angle: where they fall short is said, with the place
+# faces with boundary layers keep their boundary edges: where they fall short is said, with the place
 cat >layer.geo <<'END'
 SetFactory("Built-in");
 Point(1) = {0, 0, 0, 0.3};
@@ -57,5 +57,81 @@ Field[1].Quads = 0;
 BoundaryLayer Field = 1;
 END
 exits 0 "a face with boundary layers" "$MESHGEN" -2 layer.geo -min_angle 30 -no_report -o layer.msh
-says "surface 1 (with boundary layers) is meshed without a smallest angle" "is not passed over in silence"
+says "surface 1 (with boundary layers) keeps its boundary edges" "is not passed over in silence"
+# what cannot be in one triangulation is refined face by face, in rounds, until the common curves agree
+cat >crack.geo <<'END'
+h = 0.3;
+Point(1) = {0, 0, 0, h};
+Point(2) = {1, 0, 0, h};
+Point(3) = {2, 0, 0, h};
+Point(4) = {2, 1, 0, h};
+Point(5) = {0, 1, 0, h};
+Point(6) = {2, -1, 0, h};
+Point(7) = {0, -1, 0, h};
+Point(8) = {2, 0, 0, h / 4};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 5};
+Line(5) = {5, 1};
+Line(6) = {2, 8};
+Line(7) = {8, 6};
+Line(8) = {6, 7};
+Line(9) = {7, 1};
+Curve Loop(1) = {1, 2, 3, 4, 5};
+Plane Surface(1) = {1};
+Curve Loop(2) = {1, 6, 7, 8, 9};
+Plane Surface(2) = {2};
+END
+exits 0 "a crack with nodes on either side" "$MESHGEN" -2 crack.geo -min_angle 30 -require "min_angle>=30" -no_report -o crack.msh
+
+cat >overlap.geo <<'END'
+Point(1) = {0, 0, 0, 1};
+Point(2) = {4, 0, 0, 1};
+Point(3) = {4, 1, 0, 0.05};
+Point(4) = {0, 1, 0, 1};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 1};
+Line(5) = {1, 3};
+Curve Loop(1) = {1, 2, 3, 4};
+Plane Surface(1) = {1};
+Curve Loop(2) = {1, 2, -5};
+Plane Surface(2) = {2};
+END
+exits 0 "faces that overlap" "$MESHGEN" -2 overlap.geo -min_angle 25 -no_report -o overlap.msh
+
+# two sides of a box and its bottom: splits of the common edges are seen in every plane
+cat >box.geo <<'END'
+Point(1) = {0, 0, 0, 1};
+Point(2) = {3, 0, 0, 1};
+Point(3) = {3, 3, 0, 1};
+Point(4) = {0, 3, 0, 1};
+Point(5) = {0, 0, 3, 1};
+Point(6) = {3, 0, 3, 1};
+Point(7) = {1.5, 0, 0.05, 1};
+Point(8) = {0.1, 1.5, 0, 1};
+Point(9) = {0, 3, 3, 1};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 1};
+Line(5) = {1, 5};
+Line(6) = {5, 6};
+Line(7) = {6, 2};
+Line(8) = {5, 9};
+Line(9) = {9, 4};
+Curve Loop(1) = {1, 2, 3, 4};
+Plane Surface(1) = {1};
+Curve Loop(2) = {5, 6, 7, -1};
+Plane Surface(2) = {2};
+Curve Loop(3) = {5, 8, 9, 4};
+Plane Surface(3) = {3};
+Point{7} In Surface{2};
+Point{8} In Surface{1};
+END
+exits 0 "faces of three planes" "$MESHGEN" -2 box.geo -min_angle 30 -require "min_angle>=30" -no_report -o box.msh
+check "which share their nodes" sh -c "'$MESHGEN' check box.msh | grep -q ': valid\$'"
+
 exits 1 "an angle beyond reach is refused" "$MESHGEN" -2 "$ROOT/geo/conge.geo" -min_angle 50 -o x.msh

@@ -1,0 +1,124 @@
+// face_cluster_regions.c - which parts of the plane belong to which face of a cluster
+// SPDX-License-Identifier: MIT
+#include "base/base.h"
+
+#include "mesh/face_cluster_int.h"
+
+typedef struct {
+  uint32_t a, b;
+  int curve;
+} RegionEdge;
+typedef Vec(RegionEdge) RegionEdges;
+
+static int compare_region_edges(const void *x, const void *y)
+{
+  const RegionEdge *p = x, *q = y;
+  if (p->a != q->a) return p->a < q->a ? -1 : 1;
+  if (p->b != q->b) return p->b < q->b ? -1 : 1;
+  return (p->curve > q->curve) - (p->curve < q->curve);
+}
+
+// Label the parts into which the segments cut the plane; part 0 is the outside.
+static void find_regions(FaceCluster *p)
+{
+  const Tri *t = &p->tri;
+  p->region = mem_alloc(t->nt * sizeof *p->region);
+  memset(p->region, 0xff, t->nt * sizeof *p->region);
+  U32Vec stack = {0};
+  for (int pass = 0; pass < 2; pass++)
+    for (TriId k = 0; k < t->nt; k++) {
+      if (tri_is_free(t, k) || p->region[k] != NONE || (pass == 0 && (!tri_is_ghost(t, k) || p->nregion))) continue;
+      uint32_t id = (uint32_t)p->nregion++;
+      p->region[k] = id;
+      vec_push(&stack, k);
+      while (stack.len) {
+        TriId s = vec_pop(&stack);
+        for (EdgeId e = 3 * s; e < 3 * s + 3; e++) {
+          TriId o = tri_of(t->twin[e]);
+          if (tri_is_segment(t, e) || p->region[o] != NONE) continue;
+          p->region[o] = id;
+          vec_push(&stack, o);
+        }
+      }
+    }
+  vec_free(&stack);
+}
+
+static void region_edges(const FaceCluster *p, RegionEdges *out)
+{
+  const Tri *t = &p->tri;
+  for (EdgeId e = 0; e < 3 * t->nt; e++) {
+    if (tri_is_free(t, tri_of(e)) || !tri_is_segment(t, e)) continue;
+    RegionEdge r = {p->region[tri_of(e)], p->region[tri_of(t->twin[e])], p->graph.curve.data[t->seg[e]]};
+    if (r.a != r.b) vec_push(out, r);
+  }
+  qsort(out->data, out->len, sizeof *out->data, compare_region_edges);
+  size_t n = 0;
+  for (size_t i = 0; i < out->len; i++)
+    if (!n || compare_region_edges(&out->data[n - 1], &out->data[i]) != 0) out->data[n++] = out->data[i];
+  out->len = n;
+}
+
+// Tags of the curves that bound f: those its loops run along an odd number of times.
+static void bounding_curves(const Model *m, const Face *f, Map *out)
+{
+  IntVec curve = {0}, start = {0};
+  face_boundary(m, f, &curve, &start);
+  for (size_t i = 0; i < curve.len; i++) {
+    uint32_t *n = map_slot(out, (uint64_t)abs(curve.data[i]), 0, NULL);
+    *n ^= 1;
+  }
+  vec_free(&curve);
+  vec_free(&start);
+}
+
+// Give f the regions that an odd number of its curves separate from the outside. False when one has an owner.
+static bool claim_regions(FaceCluster *p, size_t k, const RegionEdges *edges, const size_t *begin)
+{
+  const Face *f = model_face_at(p->in->model, p->face.data[k]);
+  Map odd = {0};
+  bounding_curves(p->in->model, f, &odd);
+  uint8_t *side = mem_alloc(p->nregion); // 0 outside f, 1 inside, 2 not seen yet
+  memset(side, 2, p->nregion);
+  U32Vec stack = {0};
+  vec_push(&stack, 0);
+  side[0] = 0;
+  uint32_t other = NONE;
+  while (stack.len) {
+    uint32_t r = vec_pop(&stack);
+    if (side[r]) {
+      if (p->owner[r] != NONE) other = p->owner[r];
+      p->owner[r] = (uint32_t)k;
+    }
+    for (size_t i = begin[r]; i < begin[r + 1]; i++) {
+      const RegionEdge *e = &edges->data[i];
+      if (side[e->b] != 2) continue;
+      side[e->b] = side[r] ^ (map_get(&odd, (uint64_t)e->curve) == 1);
+      vec_push(&stack, e->b);
+    }
+  }
+  vec_free(&stack);
+  free(side);
+  map_free(&odd);
+  if (other == NONE) return true;
+  diag_error(p->diag, f->loc, "surfaces %d and %d overlap; they cannot be refined together",
+             model_face_at(p->in->model, p->face.data[other])->tag, f->tag);
+  return false;
+}
+
+bool face_cluster__regions(FaceCluster *p)
+{
+  find_regions(p);
+  RegionEdges edges = {0};
+  region_edges(p, &edges);
+  size_t *begin = mem_zalloc((p->nregion + 1) * sizeof *begin);
+  for (size_t i = 0; i < edges.len; i++) begin[edges.data[i].a + 1]++;
+  for (size_t r = 0; r < p->nregion; r++) begin[r + 1] += begin[r];
+  p->owner = mem_alloc(p->nregion * sizeof *p->owner);
+  memset(p->owner, 0xff, p->nregion * sizeof *p->owner);
+  bool good = true;
+  for (size_t k = 0; k < p->face.len && good; k++) good = claim_regions(p, k, &edges, begin);
+  free(begin);
+  vec_free(&edges);
+  return good;
+}
