@@ -9,11 +9,13 @@
 #include "base/json.h"
 #include "base/number.h"
 #include "mesh/mesh_hash.h"
+#include "mesh/mesh_shapes.h"
 #include "mesh/mesh_stats.h"
 
 typedef struct {
   const Job *job;
   MeshStats stats;
+  MeshShapes shapes; // empty where nothing asks for it
   char hash[MESH_HASH_TEXT];
 } Report;
 
@@ -22,7 +24,7 @@ typedef struct {
   const char *name;
   double value;
 } Figure;
-enum { FIGURES = 32 };
+enum { FIGURES = 48 };
 
 static double smallest_angle(const MeshStats *s) { return s->angle.n ? s->angle.min : NAN; }
 
@@ -30,6 +32,7 @@ static size_t figures(const Report *r, Figure f[FIGURES])
 {
   const MeshStats *s = &r->stats;
   const double none = NAN;
+  const MeshShapes *k = r->shapes.triangles ? &r->shapes : NULL;
   const Figure list[] = {
       {"nodes", (double)s->nodes},
       {"elements", (double)(s->triangles + s->quads)},
@@ -54,6 +57,17 @@ static size_t figures(const Report *r, Figure f[FIGURES])
       {"max_edge", s->edge_max},
       {"tau", s->tau},
       {"irregular", (double)s->irregular},
+      {"min_kappa1", k ? k->min[0] : none},
+      {"mean_kappa1", k ? k->mean[0] : none},
+      {"min_kappa2", k ? k->min[1] : none},
+      {"mean_kappa2", k ? k->mean[1] : none},
+      {"min_kappa3", k ? k->min[2] : none},
+      {"mean_kappa3", k ? k->mean[2] : none},
+      {"min_kappa4", k ? k->min[3] : none},
+      {"mean_kappa4", k ? k->mean[3] : none},
+      {"min_kappa5", k ? k->min[4] : none},
+      {"mean_kappa5", k ? k->mean[4] : none},
+      {"max_principle_edges", k ? (double)k->obtuse : none},
       {"crossing_rounds", r->job->curves ? r->job->curves->rounds : none},
       {"halved_edges", r->job->curves ? r->job->curves->nsplit : none},
       {"warnings", diag_warnings(r->job->diag)},
@@ -170,6 +184,14 @@ static void text_worst(FILE *f, const MeshStats *s, size_t n)
   }
 }
 
+static void text_shapes(FILE *f, const MeshShapes *k)
+{
+  if (!k->triangles) return;
+  for (int i = 0; i < SHAPES; i++) fprintf(f, "  kappa %-10d min %.4f   mean %.4f\n", i + 1, k->min[i], k->mean[i]);
+  fprintf(f, "  %-16s %zu of %zu edges with opposite angles of more than 180 degrees together\n", "max principle", k->obtuse,
+          k->inner_edges);
+}
+
 static void print_text(const Report *r, FILE *f)
 {
   const MeshStats *s = &r->stats;
@@ -185,6 +207,7 @@ static void print_text(const Report *r, FILE *f)
   text_measure(f, "scaled Jacobian", &s->jacobian);
   if (s->angle.n) fprintf(f, "  %-16s %.2f to %.2f degrees\n", "angles", s->angle.min, s->angle_max);
   text_worst(f, s, full ? STATS_WORST : 1);
+  if (full) text_shapes(f, &r->shapes);
   if (full) text_histogram(f, "gamma", &s->gamma);
   if (full) text_histogram(f, "eta", &s->eta);
   if (full) text_histogram(f, "angle", &s->angle);
@@ -373,6 +396,7 @@ ExitCode report_print(Job *j, const double *node_size, FILE *f)
   Report r = {.job = j};
   const Cli *c = j->cli;
   mesh_stats_make(&r.stats, j->mesh, node_size);
+  if (c->json || c->full_report || c->require.len) mesh_shapes_make(&r.shapes, j->mesh);
   MeshHash h = mesh_hash(j->mesh, j->options.Mesh_SaveAll);
   mesh_hash_print(h.full, r.hash);
   ExitCode status = EXIT_GOOD, *verdict = mem_alloc(c->require.len * sizeof *verdict);

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "mesh/mesh_measure.h"
+#include "mesh/mesh_shapes.h"
 #include "mesh/mesh_stats.h"
 
 #include "mesh_sample.h"
@@ -53,6 +54,30 @@ static Mesh *one_element(ElemType t, const double (*p)[2])
   uint32_t b = mesh_add_block(m, 0, t, 1);
   for (int i = 0; i < elem_corners(t); i++) m->block[b].node[i] = mesh_add_node(m, (Vec3){p[i][0], p[i][1], 0}, 0, NAN);
   return m;
+}
+
+// A rhombus of two triangles cut along its long or its short diagonal: opposite angles of 240 or of 120 degrees together.
+static void shapes_and_the_maximum_principle(void **state)
+{
+  (void)state;
+  const double r = sqrt(3);
+  for (int cut = 0; cut < 2; cut++) {
+    Mesh *m = mesh_new();
+    mesh_add_entity(m, 2, 1);
+    uint32_t b = mesh_add_block(m, 0, ELEM_TRI3, 2);
+    const double p[4][2] = {{0, 0}, {r, -1}, {2 * r, 0}, {r, 1}};
+    for (int i = 0; i < 4; i++) mesh_add_node(m, (Vec3){p[i][0], p[i][1], 0}, 0, NAN);
+    memcpy(m->block[b].node, cut ? (uint32_t[]){0, 1, 3, 1, 2, 3} : (uint32_t[]){0, 1, 2, 0, 2, 3}, 6 * sizeof(uint32_t));
+    MeshShapes s;
+    mesh_shapes_make(&s, m);
+    assert_int_equal(s.triangles, 2);
+    assert_int_equal(s.inner_edges, 1);
+    assert_int_equal(s.obtuse, cut ? 0 : 1);
+    for (int i = 0; i < SHAPES && cut; i++) assert_near(s.min[i], 1, 1e-14); // equilateral
+    if (!cut) assert_near(s.min[0], 1 / r, 1e-14);                            // 30 degrees
+    if (!cut) assert_near(s.mean[3] * s.mean[3], s.mean[2], 1e-14);
+    mesh_free(m);
+  }
 }
 
 static void measures_of_known_shapes(void **state)
@@ -138,6 +163,7 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(counts_and_sizes_by_group),
+      cmocka_unit_test(shapes_and_the_maximum_principle),
       cmocka_unit_test(measures_of_known_shapes),
       cmocka_unit_test(distribution_and_valence),
   };
