@@ -146,14 +146,27 @@ static void set_color(Walk *w)
 
 static void set_color_by(Walk *w)
 {
-  static const char *const what[] = {"group", "gamma", "angle", "eta"}; // in the order of PictureColor
   const char *s = next_word(w, "color_by");
-  for (int i = 0; s && i < 4; i++)
-    if (strcmp(s, what[i]) == 0) {
-      w->c->color_by = (PictureColor)i;
-      return;
-    }
-  if (s) usage_error(w, "-color_by takes group, gamma, angle or eta, not '%'", s, "");
+  if (!s) return;
+  Measure what = mesh_measure_find(s);
+  if (what < MEASURES) w->c->color_by = 1 + (int)what;
+  else if (strcmp(s, "group") == 0) w->c->color_by = 0;
+  else usage_error(w, "-color_by takes group, gamma, angle, eta, jacobian or kappa1 to kappa5, not '%'", s, "");
+}
+
+// Names of measures with commas between.
+static void set_cell_data(Walk *w)
+{
+  const char *s = next_word(w, "cell_data");
+  while (s && *s) {
+    char name[16];
+    size_t n = strcspn(s, ",");
+    snprintf(name, sizeof name, "%.*s", (int)MIN(n, sizeof name - 1), s);
+    Measure what = mesh_measure_find(name);
+    if (what < MEASURES) w->c->cell_data |= 1u << what;
+    else usage_error(w, "-cell_data takes a list of gamma, angle, eta, jacobian and kappa1 to kappa5, not '%'", name, "");
+    s += n + (s[n] == ',');
+  }
 }
 
 static void next_int(Walk *w, const char *sw, int lo, int hi, int *value)
@@ -213,6 +226,7 @@ static void do_command(Walk *w, CommandId id)
   case CMD_FULL_REPORT: c->full_report = true; break;
   case CMD_NO_REPORT: c->report = false; break;
   case CMD_COLOR_BY: set_color_by(w); break;
+  case CMD_CELL_DATA: set_cell_data(w); break;
   case CMD_MARK_WORST: next_int(w, "mark_worst", 0, 50, &c->mark_worst); break;
   case CMD_HISTOGRAM: c->histogram = true; break;
   case CMD_WIDTH: next_int(w, "width", 200, 20000, &c->width); break;

@@ -45,7 +45,8 @@ typedef struct {
   Vec(Setting) settings;
   const char *bgm, *log, *shell, *explain;
   bool json, report, full_report, keep_going, allow_system, werror, voronoi, sync, histogram;
-  PictureColor color_by;
+  int color_by;       // 0: by group; else 1 + a Measure
+  unsigned cell_data; // bit k: Measure k
   int width, mark_worst; // of pictures: pixels, elements; 0: default, none
   int color;             // 0 never, 1 always, 2 auto
   double time_limit;     // seconds, 0: none

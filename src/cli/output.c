@@ -38,6 +38,7 @@ OutOptions output_options(const Job *j)
                       .no_element_sets = ~dimensions(o->Mesh_SaveGroupsOfElements),
                       .no_elements = o->Mesh_SaveGroupsOfElements < 0 ? ~dimensions(o->Mesh_SaveGroupsOfElements) : 0,
                       .stl_solids = o->Mesh_StlOneSolidPerSurface,
+                      .cell_data = c->cell_data,
                       .sync = c->sync,
                       .color = c->color_by,
                       .width = c->width,

@@ -99,14 +99,44 @@ void mesh_angle_range(const Mesh *m, const MeshBlock *k, size_t i, double *least
   }
 }
 
+static const char *const measure_names[MEASURES] = {"gamma",  "angle",  "eta",    "jacobian", "kappa1",
+                                                    "kappa2", "kappa3", "kappa4", "kappa5"};
+
+const char *mesh_measure_name(Measure what) { return measure_names[what]; }
+
+Measure mesh_measure_find(const char *name)
+{
+  int i = 0;
+  while (i < MEASURES && strcmp(measure_names[i], name) != 0) i++;
+  return (Measure)i;
+}
+
+static double measure_of_shape(TriShape t, Measure what)
+{
+  switch (what) {
+  case MEASURE_JACOBIAN:
+  case MEASURE_KAPPA1: return quality_kappa1(t);
+  case MEASURE_KAPPA2: return quality_kappa2(t);
+  case MEASURE_KAPPA4: return quality_kappa4(t);
+  case MEASURE_KAPPA5: return quality_kappa5(t);
+  case MEASURE_GAMMA:
+  case MEASURE_KAPPA3:
+  case MEASURE_ANGLE:
+  case MEASURE_ETA:
+  case MEASURES: break;
+  }
+  return quality_gamma(t);
+}
+
 double mesh_measure(const Mesh *m, const MeshBlock *k, size_t i, Measure what)
 {
   Vec3 p[4];
   int n = elem_corners(k->type);
-  if (what == MEASURE_GAMMA && n == 3) {
+  if (n == 3 && what != MEASURE_ANGLE && what != MEASURE_ETA) {
     mesh_corners(m, k, i, p);
-    return quality_gamma(shape_space(p[0], p[1], p[2], (Vec3){0, 0, 0}));
+    return measure_of_shape(shape_space(p[0], p[1], p[2], (Vec3){0, 0, 0}), what);
   }
+  if (n == 4 && what == MEASURE_JACOBIAN) return mesh_scaled_jacobian(m, k, i);
   double least, largest, ideal = n == 3 ? 60 : 90;
   mesh_angle_range(m, k, i, &least, &largest);
   if (what == MEASURE_ANGLE) return least;

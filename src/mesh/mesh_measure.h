@@ -9,7 +9,18 @@ typedef enum {
   MEASURE_GAMMA, // triangles: inscribed over circumscribed radius, doubled; quadrangles: eta [docs/quality-measures.md]
   MEASURE_ANGLE, // smallest angle, degrees
   MEASURE_ETA,   // 1 - largest deviation of an angle from 60 (90) degrees over 60 (90); not below 0
+  MEASURE_JACOBIAN, // scaled Jacobian of quadrangles; triangles: kappa 1
+  MEASURE_KAPPA1,   // of triangles [book §4.1]; quadrangles: eta
+  MEASURE_KAPPA2,
+  MEASURE_KAPPA3,
+  MEASURE_KAPPA4,
+  MEASURE_KAPPA5,
+  MEASURES,
 } Measure;
+
+// "gamma", "angle", "eta", "jacobian", "kappa1" ... "kappa5". The other way round, MEASURES for a name that there is not.
+const char *mesh_measure_name(Measure what);
+Measure mesh_measure_find(const char *name);
 
 // Corners of element i of block k as points; returns their number.
 int mesh_corners(const Mesh *m, const MeshBlock *k, size_t i, Vec3 p[4]);

@@ -12,14 +12,18 @@
 
 // Several names may share an extension: the first row that has it is taken.
 static const Format table[] = {
-    {.name = "msh", .extensions = "msh", .help = "MSH 4.1, ASCII or binary", .flags = FORMAT_ORPHANS, .write = msh4__write, .read = msh__read},
-    {.name = "msh4", .extensions = "msh4", .help = "the same", .flags = FORMAT_ORPHANS, .write = msh4__write, .read = msh__read},
-    {.name = "msh41", .extensions = "msh41", .help = "the same", .flags = FORMAT_ORPHANS, .write = msh4__write, .read = msh__read},
-    {.name = "msh2", .extensions = "msh2", .help = "MSH 2.2, ASCII or binary", .write = msh2__write, .read = msh__read},
-    {.name = "msh22", .extensions = "msh22", .help = "the same", .write = msh2__write, .read = msh__read},
+    {.name = "msh", .extensions = "msh", .help = "MSH 4.1, ASCII or binary", .flags = FORMAT_ORPHANS | FORMAT_CELL_DATA,
+     .write = msh4__write, .read = msh__read},
+    {.name = "msh4", .extensions = "msh4", .help = "the same", .flags = FORMAT_ORPHANS | FORMAT_CELL_DATA,
+     .write = msh4__write, .read = msh__read},
+    {.name = "msh41", .extensions = "msh41", .help = "the same", .flags = FORMAT_ORPHANS | FORMAT_CELL_DATA,
+     .write = msh4__write, .read = msh__read},
+    {.name = "msh2", .extensions = "msh2", .help = "MSH 2.2, ASCII or binary", .flags = FORMAT_CELL_DATA, .write = msh2__write, .read = msh__read},
+    {.name = "msh22", .extensions = "msh22", .help = "the same", .flags = FORMAT_CELL_DATA, .write = msh2__write, .read = msh__read},
     {.name = "msh1", .extensions = "msh1", .help = "MSH 1", .write = msh1__write, .read = msh__read},
-    {.name = "vtk", .extensions = "vtk", .help = "legacy VTK, ASCII or binary", .write = vtk__write, .refuses = vtk__refuses, .read = vtk__read},
-    {.name = "vtu", .extensions = "vtu", .help = "VTK XML, compressed", .write = vtu__write, .refuses = vtu__refuses, .read = vtu__read},
+    {.name = "vtk", .extensions = "vtk", .help = "legacy VTK, ASCII or binary", .flags = FORMAT_CELL_DATA,
+     .write = vtk__write, .refuses = vtk__refuses, .read = vtk__read},
+    {.name = "vtu", .extensions = "vtu", .help = "VTK XML, compressed", .flags = FORMAT_CELL_DATA, .write = vtu__write, .refuses = vtu__refuses, .read = vtu__read},
     {.name = "mesh", .extensions = "mesh", .help = "Medit", .flags = FORMAT_NO_POINTS, .write = medit__write,
      .refuses = medit__refuses, .read = medit__read},
     {.name = "mesh2d", .extensions = "mesh2d", .help = "Medit without z, as FreeFEM reads it", .flags = FORMAT_NO_POINTS,
@@ -116,6 +120,8 @@ ExitCode out_write(const Mesh *m, const char *path, const char *format, const Ou
     diag_error(d, NO_LOC, "%s: format %s is several files and needs a name for them", path, f->name);
     return EXIT_USAGE;
   }
+  if (o->cell_data && !(f->flags & (FORMAT_CELL_DATA | FORMAT_ALL)))
+    diag_warning(d, NO_LOC, "%s: format %s has no room for the measures of elements (-cell_data)", path, f->name);
   OutOptions options = *o;
   if (f->flags & FORMAT_ALL) options.save_all = true;
   Selection s;

@@ -7,8 +7,7 @@
 #include "base/diag.h"
 #include "mesh/mesh.h"
 #include "mesh/mesh_diff.h"
-
-typedef enum { PICTURE_BY_GROUP, PICTURE_BY_GAMMA, PICTURE_BY_ANGLE, PICTURE_BY_ETA } PictureColor;
+#include "mesh/mesh_measure.h"
 
 // What the options say about writing. Zero is a good default for every member.
 typedef struct {
@@ -25,10 +24,11 @@ typedef struct {
   unsigned no_elements;      // its elements are not written at all (inp)
   int stl_solids;            // 0 one solid, 1 one per face, 2 one per group
   const char *title;         // line of text in formats that have one; NULL for the program's name
+  unsigned cell_data;        // bit k: the values of Measure k of all elements, 0 on points and lines (MSH 2 and 4, VTK, VTU)
   bool sync;                 // wait until the file is on the disk
   int threads;               // as for thread_for; never changes a byte
   // pictures
-  PictureColor color;
+  int color;                 // 0: by group; else 1 + a Measure
   int width;                 // pixels; 0 means 1400
   int mark_worst;            // elements of least quality to mark with a ring
   bool histogram;            // at the right: of gamma where groups are coloured; a coloured measure always has its own

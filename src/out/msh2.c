@@ -182,6 +182,28 @@ static void write_periodic(Writer *w, const Selection *s)
   writer_str(w, "$EndPeriodic\n");
 }
 
+typedef struct {
+  const Selection *s;
+  NumberedBlock *block;
+  size_t n;
+  uint64_t number;
+} Numbering;
+
+static void number_run(void *ctx, const Run *r)
+{
+  Numbering *g = ctx;
+  g->block[g->n++] = (NumberedBlock){(uint32_t)(r->block - g->s->mesh->block), g->number, (size_t)r->copies};
+  g->number += r->block->n * (size_t)r->copies;
+}
+
+static void write_element_data(Writer *w, const Selection *s, const OutOptions *o)
+{
+  Numbering g = {s, mem_alloc(s->nblock * sizeof *g.block), 0, s->elem0};
+  each_run(s, number_run, &g);
+  msh__write_element_data(w, s, g.block, g.n, o);
+  free(g.block);
+}
+
 void msh2__write(Writer *w, const Selection *s, const OutOptions *o)
 {
   bool parametric = o->save_parametric && !o->binary;
@@ -199,6 +221,7 @@ void msh2__write(Writer *w, const Selection *s, const OutOptions *o)
   each_run(s, o->binary ? binary_run : ascii_run, &(Out){w, s, s->elem0});
   writer_printf(w, "%s$EndElements\n", o->binary ? "\n" : "");
   write_periodic(w, s);
+  if (o->cell_data) write_element_data(w, s, o);
 }
 
 static void msh1_run(void *ctx, const Run *r)

@@ -236,6 +236,16 @@ static void write_periodic(Enc *e, const Selection *s)
   writer_str(e->w, e->binary ? "\n$EndPeriodic\n" : "$EndPeriodic\n");
 }
 
+static void write_element_data(Writer *w, const Selection *s, const OutOptions *o)
+{
+  NumberedBlock *block = mem_alloc(s->nblock * sizeof *block);
+  uint64_t number = s->elem0;
+  for (size_t i = 0; i < s->nblock; number += s->mesh->block[s->block[i++]].n)
+    block[i] = (NumberedBlock){s->block[i], number, 1};
+  msh__write_element_data(w, s, block, s->nblock, o);
+  free(block);
+}
+
 void msh4__write(Writer *w, const Selection *s, const OutOptions *o)
 {
   Enc e = {w, o->binary, true};
@@ -245,4 +255,5 @@ void msh4__write(Writer *w, const Selection *s, const OutOptions *o)
   if (s->nnode) write_nodes(&e, s, o->save_parametric);
   if (s->nelem) write_elements(&e, s);
   write_periodic(&e, s);
+  if (o->cell_data) write_element_data(w, s, o);
 }

@@ -33,6 +33,7 @@ enum {
   FORMAT_ORPHANS = 1,  // writes nodes that no element uses, when everything is saved
   FORMAT_NO_POINTS = 4,// has no elements of dimension 0
   FORMAT_SURFACE = 8,  // has elements of dimension 2 alone
+  FORMAT_CELL_DATA = 16, // holds measures of elements
   FORMAT_ALL = 2,      // the saving rule does not apply: pictures
 };
 
@@ -78,6 +79,18 @@ Mesh *msh__read(const char *text, size_t len, const char *name, Diag *d);
 
 // $PhysicalNames of the MSH formats; nothing if no group has a name.
 void msh__write_names(Writer *w, const Mesh *m);
+// Quality measures as data of elements (OutOptions.cell_data). Steps *what, from 0, to the next one wanted; false after the last.
+bool cell_data__next(const OutOptions *o, Measure *what);
+// Of the elements selected, in their order; 0 for points and lines. The caller frees.
+double *cell_data__values(const Selection *s, Measure what);
+// A block as a file numbers its elements: copy c of element i is first + i * copies + c.
+typedef struct {
+  uint32_t block;
+  uint64_t first;
+  size_t copies;
+} NumberedBlock;
+// $ElementData of the MSH formats: one for each measure wanted, of all elements (readers want none left out), 0 on points and lines.
+void msh__write_element_data(Writer *w, const Selection *s, const NumberedBlock *block, size_t n, const OutOptions *o);
 // $MeshFormat with the byte-order mark of binary files.
 void msh__write_format(Writer *w, const char *version, const OutOptions *o);
 

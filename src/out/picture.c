@@ -256,13 +256,13 @@ typedef struct {
 
 static Scale scale_of(const Picture *p)
 {
-  Scale s = {.what = MEASURE_GAMMA, .name = "quality gamma", .largest = 1};
+  static const char *const titles[MEASURES] = {"quality gamma", "smallest angle", "quality eta", "scaled Jacobian", "kappa 1",
+                                               "kappa 2",       "kappa 3",        "kappa 4",     "kappa 5"};
   size_t quads = 0;
   for (size_t b = 0; b < p->mesh->nblock; b++)
     if (elem_corners(p->mesh->block[b].type) == 4) quads += p->mesh->block[b].n;
-  if (p->o->color == PICTURE_BY_ANGLE) s = (Scale){.what = MEASURE_ANGLE, .name = "smallest angle", .largest = quads ? 90 : 60};
-  if (p->o->color == PICTURE_BY_ETA) s = (Scale){.what = MEASURE_ETA, .name = "quality eta", .largest = 1};
-  return s;
+  Measure what = p->o->color ? (Measure)(p->o->color - 1) : MEASURE_GAMMA;
+  return (Scale){.what = what, .name = titles[what], .largest = what != MEASURE_ANGLE ? 1 : quads ? 90 : 60};
 }
 
 static int bin_of(const Scale *s, double value)
@@ -529,20 +529,20 @@ static void draw(Writer *w, CanvasKind kind, const Selection *s, const OutOption
   mesh_edges_make(&p.edges, p.mesh);
   p.canvas = canvas_open(w, kind, p.width, p.height);
   Scale scale = scale_of(&p);
-  if (o->color == PICTURE_BY_GROUP)
+  if (!o->color)
     fill_by_group(&p);
   else
     fill_by_measure(&p, &scale);
   draw_edges(&p);
   draw_curves(&p);
-  if (o->color == PICTURE_BY_GROUP && o->histogram) {
+  if (!o->color && o->histogram) {
     DoubleVec value = measure(p.mesh, &scale);
     vec_free(&value);
   }
   if (o->mark_worst) mark_worst(&p, scale.what);
   legend_title(&p);
-  if (o->color != PICTURE_BY_GROUP || o->histogram) draw_histogram(&p, &scale);
-  if (o->color == PICTURE_BY_GROUP) legend_groups(&p, 2, "Faces", face_colors, ARRAY_LEN(face_colors));
+  if (o->color || o->histogram) draw_histogram(&p, &scale);
+  if (!o->color) legend_groups(&p, 2, "Faces", face_colors, ARRAY_LEN(face_colors));
   legend_groups(&p, 1, "Boundaries", line_colors, ARRAY_LEN(line_colors));
   canvas_close(p.canvas);
   mesh_edges_free(&p.edges);

@@ -149,6 +149,26 @@ static int group_value(const Mesh *m, const MeshBlock *k)
 
 static int entity_value(const Mesh *m, const MeshBlock *k) { return m->entity[k->entity].tag; }
 
+static void write_measure(Writer *w, const Selection *s, bool binary, Measure what)
+{
+  double *value = cell_data__values(s, what);
+  writer_printf(w, "SCALARS %s double 1\nLOOKUP_TABLE default\n", mesh_measure_name(what));
+  for (size_t i = 0; i < s->nelem; i++) {
+    char *p0 = writer_reserve(w, 64), *p = p0;
+    if (binary) {
+      uint64_t b;
+      memcpy(&b, &value[i], sizeof b);
+      b = __builtin_bswap64(b);
+      p = (char *)memcpy(p, &b, sizeof b) + sizeof b;
+    } else {
+      p = put_char(put_double(p, value[i]), '\n');
+    }
+    writer_commit(w, (size_t)(p - p0));
+  }
+  if (binary) writer_char(w, '\n');
+  free(value);
+}
+
 void vtk__write(Writer *w, const Selection *s, const OutOptions *o)
 {
   writer_printf(w, "# vtk DataFile Version 3.0\n%.200s\n%s\nDATASET UNSTRUCTURED_GRID\n",
@@ -164,4 +184,5 @@ void vtk__write(Writer *w, const Selection *s, const OutOptions *o)
   }
   writer_str(w, "SCALARS GeometricalEntityIds int 1\nLOOKUP_TABLE default\n");
   write_per_block(w, s, o->binary, entity_value);
+  for (Measure what = 0; cell_data__next(o, &what); what++) write_measure(w, s, o->binary, what);
 }

@@ -134,7 +134,6 @@ void vtu__write(Writer *w, const Selection *s, const OutOptions *o)
 {
   Bytes data = {0};
   size_t cells[3], most = 0, at;
-  (void)o;
   for (size_t i = 0; i < s->nblock; i++) most = MAX(most, s->mesh->entity[s->mesh->block[s->block[i]].entity].physical.len);
   writer_str(w, "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
                 "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n  <UnstructuredGrid>\n");
@@ -158,6 +157,13 @@ void vtu__write(Writer *w, const Selection *s, const OutOptions *o)
   at = data.len;
   append_tags(&data, s, -1);
   declare(w, "Int32", "GeometricalEntityIds", 1, at);
+  for (Measure what = 0; cell_data__next(o, &what); what++) {
+    double *value = cell_data__values(s, what);
+    at = data.len;
+    append_array(&data, value, s->nelem * sizeof *value);
+    declare(w, "Float64", mesh_measure_name(what), 1, at);
+    free(value);
+  }
   writer_str(w, "      </CellData>\n    </Piece>\n  </UnstructuredGrid>\n  <AppendedData encoding=\"raw\">\n_");
   writer_bytes(w, data.data, data.len);
   writer_str(w, "\n  </AppendedData>\n</VTKFile>\n");
