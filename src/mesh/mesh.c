@@ -78,13 +78,17 @@ uint32_t mesh_add_entity(Mesh *m, int dim, int tag)
   return (uint32_t)m->nentity++;
 }
 
+static void reserve_nodes(Mesh *m, size_t want)
+{
+  if (want <= m->node_cap) return;
+  mem_grow(&m->xyz, &m->node_cap, want, 3 * sizeof *m->xyz);
+  m->node_entity = mem_realloc(m->node_entity, m->node_cap * sizeof *m->node_entity);
+  m->node_u = mem_realloc(m->node_u, m->node_cap * sizeof *m->node_u);
+}
+
 uint32_t mesh_add_node(Mesh *m, Vec3 p, uint32_t entity, double u)
 {
-  if (m->nnode == m->node_cap) {
-    mem_grow(&m->xyz, &m->node_cap, m->nnode + 1, 3 * sizeof *m->xyz);
-    m->node_entity = mem_realloc(m->node_entity, m->node_cap * sizeof *m->node_entity);
-    m->node_u = mem_realloc(m->node_u, m->node_cap * sizeof *m->node_u);
-  }
+  reserve_nodes(m, m->nnode + 1);
   size_t i = m->nnode++;
   m->xyz[3 * i] = p.x;
   m->xyz[3 * i + 1] = p.y;
@@ -94,11 +98,26 @@ uint32_t mesh_add_node(Mesh *m, Vec3 p, uint32_t entity, double u)
   return (uint32_t)i;
 }
 
+uint32_t mesh_add_nodes(Mesh *m, const Vec3 *p, size_t n, uint32_t entity)
+{
+  reserve_nodes(m, m->nnode + n);
+  size_t first = m->nnode;
+  m->nnode += n;
+  if (n) memcpy(m->xyz + 3 * first, p, n * sizeof *p);
+  for (size_t i = first; i < m->nnode; i++) m->node_entity[i] = entity;
+  for (size_t i = first; i < m->nnode; i++) m->node_u[i] = NAN;
+  return (uint32_t)first;
+}
+
 uint32_t mesh_add_block(Mesh *m, uint32_t entity, ElemType type, size_t n)
 {
+  return mesh_take_block(m, entity, type, n, mem_alloc(n * (size_t)elem_nodes(type) * sizeof(uint32_t)));
+}
+
+uint32_t mesh_take_block(Mesh *m, uint32_t entity, ElemType type, size_t n, uint32_t *node)
+{
   mem_grow(&m->block, &m->block_cap, m->nblock + 1, sizeof *m->block);
-  m->block[m->nblock] = (MeshBlock){
-      .entity = entity, .type = type, .n = n, .node = mem_alloc(n * (size_t)elem_nodes(type) * sizeof(uint32_t))};
+  m->block[m->nblock] = (MeshBlock){.entity = entity, .type = type, .n = n, .node = node};
   return (uint32_t)m->nblock++;
 }
 

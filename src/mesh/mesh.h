@@ -85,8 +85,12 @@ void mesh_free(Mesh *m);     // NULL is fine
 // Building. Indices are returned; entities must be added in order of (dim, tag), blocks in order of (entity, type).
 uint32_t mesh_add_entity(Mesh *m, int dim, int tag);
 uint32_t mesh_add_node(Mesh *m, Vec3 p, uint32_t entity, double u);
+// n nodes of an entity that is no curve. Returns the index of the first.
+uint32_t mesh_add_nodes(Mesh *m, const Vec3 *p, size_t n, uint32_t entity);
 // Room for n elements of a type on an entity; the caller fills block[].node. Returns the index of the block.
 uint32_t mesh_add_block(Mesh *m, uint32_t entity, ElemType type, size_t n);
+// The same with the nodes at hand, which are the mesh's from now on.
+uint32_t mesh_take_block(Mesh *m, uint32_t entity, ElemType type, size_t n, uint32_t *node);
 void mesh_add_group(Mesh *m, int dim, int tag, const char *name); // name may be NULL; copied
 MeshPeriodic *mesh_add_periodic(Mesh *m, int dim, int tag, int master); // valid until the next one
 

@@ -37,8 +37,8 @@ TriRefineParams mesh2d_refine_params(const Options *o, const Face *f, SizeInPlan
 // Put points, curves and faces together: entities with their boxes, boundaries and groups, nodes, elements. face may be NULL
 // (only curves), curves too (only points). Mesh.KeepOrientation leaves elements of faces with normal -z clockwise; Geometry.OrientedPhysicals
 // lets negative members of groups reverse elements.
-Mesh *mesh_assemble(const Model *m, const Mesh1d *curves, const EdgeNodes *en, const FaceMesh *face,
-                    const Options *o);
+// The arrays of elements move from face[] to the mesh.
+Mesh *mesh_assemble(const Model *m, const Mesh1d *curves, const EdgeNodes *en, FaceMesh *face, const Options *o);
 
 // Wanted edge length at each node of that mesh, for the efficiency index; NAN where none is known. The caller frees.
 double *mesh_assemble_sizes(const Model *m, const Mesh1d *curves, const EdgeNodes *en, const FaceMesh *face);

@@ -97,37 +97,39 @@ static void add_curves(Mesh *mesh, const Model *m, const Mesh1d *curves, const E
   }
 }
 
-// Elements of `nodes_per` nodes each, mirrored if the face is to be seen from the other side.
-static void add_elements(Mesh *mesh, uint32_t entity, ElemType type, const uint32_t *from, size_t n, uint32_t edge_nodes,
-                         uint32_t first_own, bool mirror)
+// Elements of a face, mirrored if it is to be seen from the other side. Their array becomes the mesh's.
+static void take_elements(Mesh *mesh, uint32_t entity, ElemType type, uint32_t **from, size_t n, uint32_t edge_nodes, uint32_t first_own,
+                          bool mirror)
 {
   if (!n) return;
-  uint32_t b = mesh_add_block(mesh, entity, type, n);
-  uint32_t *to = mesh->block[b].node;
+  uint32_t *v = *from, shift = first_own - edge_nodes;
   size_t k = (size_t)elem_nodes(type);
-  for (size_t i = 0; i < n; i++)
-    for (size_t j = 0; j < k; j++) {
-      uint32_t v = from[k * i + j];
-      to[k * i + (mirror ? (k - j) % k : j)] = v < edge_nodes ? v : first_own + (v - edge_nodes);
-    }
+  *from = NULL;
+  for (size_t i = 0; i < k * n; i++) v[i] += v[i] < edge_nodes ? 0 : shift;
+  for (size_t i = 0; i < n && mirror; i++) {
+    uint32_t second = v[k * i + 1];
+    v[k * i + 1] = v[k * i + k - 1];
+    v[k * i + k - 1] = second;
+  }
+  mesh_take_block(mesh, entity, type, n, v);
 }
 
-static void add_faces(Mesh *mesh, const Model *m, const EdgeNodes *en, const FaceMesh *face, bool keep_orientation)
+static void add_faces(Mesh *mesh, const Model *m, const EdgeNodes *en, FaceMesh *face, bool keep_orientation)
 {
   size_t before = model_points(m) + model_curves(m);
   for (size_t k = 0; k < model_faces(m); k++) {
     const Face *f = model_face_at(m, k);
-    const FaceMesh *fm = &face[k];
+    FaceMesh *fm = &face[k];
     uint32_t entity = (uint32_t)(before + k), first = (uint32_t)mesh->nnode, base = (uint32_t)en->n;
-    for (size_t i = 0; i < fm->nown; i++) mesh_add_node(mesh, fm->own[i], entity, NAN);
+    mesh_add_nodes(mesh, fm->own, fm->nown, entity);
     bool from_below = f->planar && f->normal.x == 0 && f->normal.y == 0 && f->normal.z < 0;
     bool mirror = (from_below && !keep_orientation) != f->reverse_mesh;
-    add_elements(mesh, entity, ELEM_TRI3, fm->tri, fm->ntri, base, first, mirror);
-    add_elements(mesh, entity, ELEM_QUAD4, fm->quad, fm->nquad, base, first, mirror);
+    take_elements(mesh, entity, ELEM_TRI3, &fm->tri, fm->ntri, base, first, mirror);
+    take_elements(mesh, entity, ELEM_QUAD4, &fm->quad, fm->nquad, base, first, mirror);
   }
 }
 
-Mesh *mesh_assemble(const Model *m, const Mesh1d *curves, const EdgeNodes *en, const FaceMesh *face, const Options *o)
+Mesh *mesh_assemble(const Model *m, const Mesh1d *curves, const EdgeNodes *en, FaceMesh *face, const Options *o)
 {
   Mesh *mesh = mesh_new();
   add_entities(mesh, m);

@@ -120,30 +120,51 @@ typedef struct {
 } Twins;
 typedef Vec(Twins) TwinsVec;
 
-// Pairs of nodes at one place. Open addressing over node indices; the upper bits of the hash are the better ones.
+// Nodes that may be at the place of another, ascending: those whose hash falls where another's does, of 16 places or more per node.
+// Two bits a place say whether none, one or more fell there.
+static void find_suspects(const Mesh *m, U32Vec *out)
+{
+  int bits = 6;
+  while ((size_t)1 << bits < 16 * m->nnode) bits++;
+  uint8_t *seen = mem_zalloc((size_t)1 << (bits - 2));
+  for (size_t i = 0; i < m->nnode; i++) {
+    uint64_t h = hash_point(m->xyz + 3 * i) >> (64 - bits);
+    int shift = (int)(h % 4) * 2, n = seen[h / 4] >> shift & 3;
+    seen[h / 4] |= (uint8_t)((n ? 2 : 1) << shift);
+  }
+  for (size_t i = 0; i < m->nnode; i++) {
+    uint64_t h = hash_point(m->xyz + 3 * i) >> (64 - bits);
+    if (UNLIKELY(seen[h / 4] >> (h % 4) * 2 & 2)) vec_push(out, (uint32_t)i);
+  }
+  free(seen);
+}
+
+// Pairs of nodes at one place: among the suspects, by open addressing. The upper bits of the hash are the better ones.
 static void find_twins(const Check *c, TwinsVec *out)
 {
   const Mesh *m = c->m;
+  U32Vec suspect = {0};
+  find_suspects(m, &suspect);
   int bits = 4;
-  while ((size_t)1 << bits < 2 * m->nnode) bits++;
+  while ((size_t)1 << bits < 2 * suspect.len) bits++;
   size_t mask = ((size_t)1 << bits) - 1;
   uint32_t *slot = mem_alloc((mask + 1) * sizeof *slot);
   memset(slot, 0xff, (mask + 1) * sizeof *slot);
-  for (size_t i = 0; i < m->nnode; i++) {
-    const double *x = m->xyz + 3 * i;
+  for (size_t k = 0; k < suspect.len; k++) {
+    uint32_t i = suspect.data[k];
+    const double *x = m->xyz + 3 * (size_t)i;
     size_t s = hash_point(x) >> (64 - bits);
     for (; slot[s] != NONE; s = (s + 1) & mask) {
       const double *y = m->xyz + 3 * (size_t)slot[s];
       if (x[0] == y[0] && x[1] == y[1] && x[2] == y[2]) break;
     }
-    if (slot[s] == NONE) {
-      slot[s] = (uint32_t)i;
-    } else {
-      Twins t = {slot[s], (uint32_t)i, false};
-      vec_push(out, t);
-    }
+    if (slot[s] == NONE)
+      slot[s] = i;
+    else
+      vec_push(out, ((Twins){slot[s], i, false}));
   }
   free(slot);
+  vec_free(&suspect);
 }
 
 // Which pairs meet in a face: stamp the nodes of twins face by face.

@@ -22,7 +22,7 @@ typedef struct {
   uint32_t a, b;    // nodes at its beginning and its end
 } HalfEdge;
 
-// O(n) expected; 12 bytes of scratch per half-edge.
+// O(n) for nodes of bounded degree; 8 bytes of scratch per half-edge of the largest face.
 void mesh_edges_make(MeshEdges *e, const Mesh *m);
 void mesh_edges_free(MeshEdges *e);
 // The half-edge of an index: O(log of the number of blocks).

@@ -46,9 +46,12 @@ static uint64_t element_hash(const uint64_t *node, const uint32_t *v, uint8_t pe
                              uint64_t seed)
 {
   int r = 0;
-  if (corners > 2)
-    for (int c = 1; c < corners; c++)
-      if (node[v[perm[0][c]]] < node[v[perm[0][r]]]) r = c;
+  uint64_t least = node[v[perm[0][0]]];
+  for (int c = 1; corners > 2 && c < corners; c++) { // no branch on what is as good as random
+    uint64_t h = node[v[perm[0][c]]];
+    r = h < least ? c : r;
+    least = h < least ? h : least;
+  }
   // perm[r] rotates; for the reversed ones its first corner is corner r of perm[0].
   return sequence(node, v, perm[r], n, seed);
 }

@@ -149,8 +149,11 @@ Vec3 mesh_area_vector(const Mesh *m, uint32_t entity)
   for (size_t b = 0; b < m->nblock; b++) {
     const MeshBlock *k = &m->block[b];
     if (elem_dim(k->type) != 2 || (entity != NONE && k->entity != entity)) continue;
-    for (size_t i = 0; i < k->n; i++) {
-      int n = mesh_corners(m, k, i, p);
+    size_t nodes = (size_t)elem_nodes(k->type);
+    int n = elem_corners(k->type);
+    const uint32_t *v = k->node;
+    for (size_t i = 0; i < k->n; i++, v += nodes) {
+      for (int c = 0; c < n; c++) p[c] = mesh_xyz(m, v[c]);
       sum = vec3_add(sum, area_vector(p, n));
     }
   }

@@ -10,15 +10,22 @@
 
 #define DEGREES 57.295779513082321
 
+enum { TANGENT_CELLS = 64 };
+
 // ---- distributions ------------------------------------------------------------------------------------------------------------
+// Part number t, of those from 0: below and above, and where t is no number, the first and the last.
+static size_t part_of(double t, size_t parts)
+{
+  return t > 0 ? MIN((size_t)t, parts - 1) : 0;
+}
+
 static void spread_add(MeasureStats *s, double v)
 {
-  s->min = s->n ? fmin(s->min, v) : v;
-  s->max = s->n ? fmax(s->max, v) : v;
+  if (s->n == 0 || v < s->min) s->min = v;
+  if (s->n == 0 || v > s->max) s->max = v;
   s->mean += v; // divided at the end
   s->n++;
-  double t = v / s->range * STATS_BINS;
-  s->bin[t > 0 ? MIN((size_t)t, (size_t)STATS_BINS - 1) : 0]++;
+  s->bin[part_of(v / s->range * STATS_BINS, STATS_BINS)]++;
 }
 
 // The k-th smallest of v[0..n), by quickselect with the middle of three.
@@ -45,10 +52,27 @@ static double kth(double *v, size_t n, size_t k)
   return v[k];
 }
 
+// The k-th smallest of v[0..n), which lie in lo .. hi: from the part of 4096 that has it. v is left in another order.
+static double kth_of_many(double *v, size_t n, size_t k, double lo, double hi)
+{
+  enum { PARTS = 4096 };
+  if (n < 4 * PARTS) return kth(v, n, k);
+  if (!(hi > lo)) return lo;
+  uint32_t *count = mem_zalloc(PARTS * sizeof *count);
+  double scale = PARTS / (hi - lo);
+  for (size_t i = 0; i < n; i++) count[part_of((v[i] - lo) * scale, PARTS)]++;
+  size_t part = 0, m = 0;
+  for (; count[part] <= k; part++) k -= count[part];
+  for (size_t i = 0; i < n; i++)
+    if (part_of((v[i] - lo) * scale, PARTS) == part) v[m++] = v[i];
+  free(count);
+  return kth(v, m, k);
+}
+
 static void spread_finish(MeasureStats *s, DoubleVec *values)
 {
   if (s->n) s->mean /= (double)s->n;
-  if (values->len) s->p5 = kth(values->data, values->len, (size_t)(0.05 * (double)(values->len - 1)));
+  if (values->len) s->p5 = kth_of_many(values->data, values->len, (size_t)(0.05 * (double)(values->len - 1)), s->min, s->max);
   vec_free(values);
 }
 
@@ -56,8 +80,11 @@ static void spread_finish(MeasureStats *s, DoubleVec *values)
 typedef struct {
   MeshStats *s;
   const Mesh *m;
-  DoubleVec gamma, eta, jacobian, angle;
-  double largest[2]; // cosine and sine of the largest angle of a triangle so far, both times the same
+  DoubleVec gamma, eta, jacobian;
+  double smallest[2], largest[2]; // cosine and sine of the smallest and of the largest angle of a triangle so far, both times the same
+  double edge2_min, edge2_max;    // squared lengths
+  double edge[STATS_BINS];        // tangents where the bins of angles begin
+  uint8_t cell[2 * TANGENT_CELLS]; // the bin that each piece of the tangents from 0 to 2 begins in
   uint64_t number; // of the element at hand
 } Pass;
 
@@ -70,56 +97,133 @@ static void note_worst(Pass *p, const MeshBlock *k, size_t i, double value)
   s->worst[at] = (WorstElement){value, k->type, p->m->entity[k->entity].tag, p->number + i + 1, mesh_center(p->m, k, i)};
 }
 
-static void note_edge(MeshStats *s, double length)
+static void note_edge(Pass *p, double squared)
 {
-  s->edge_min = fmin(s->edge_min, length);
-  s->edge_max = fmax(s->edge_max, length);
+  if (squared < p->edge2_min) p->edge2_min = squared;
+  if (squared > p->edge2_max) p->edge2_max = squared;
 }
 
-// Area of the element.
-static double pass_triangle(Pass *p, const MeshBlock *k, size_t i, Vec3 normal)
+// Corners of some triangles and what follows from them, an array each, so that the compiler can measure several at a time.
+enum { BATCH = 64 };
+typedef struct {
+  double x[3][BATCH], y[3][BATCH], z[3][BATCH];
+  double area[BATCH], gamma[BATCH]; // the latter with the sign of the area against the face's normal
+  double least[BATCH], most[BATCH]; // squared lengths of sides
+  double sine[BATCH], cosine_least[BATCH], cosine_most[BATCH]; // of the smallest and of the largest angle, all times the same
+} Triangles;
+
+static void gather(Triangles *t, const Mesh *m, const MeshBlock *k, size_t first, size_t n)
 {
-  Vec3 x[4];
-  mesh_corners(p->m, k, i, x);
-  TriShape t = shape_space(x[0], x[1], x[2], normal);
-  double gamma = quality_gamma(t);
-  double a2 = t.a * t.a, b2 = t.b * t.b, c2 = t.c * t.c, sum = a2 + b2 + c2;
-  double least = fmin(a2, fmin(b2, c2)), most = fmax(a2, fmax(b2, c2)), sine = 4 * fabs(t.area);
-  double angle = atan2(sine, sum - 2 * least) * DEGREES; // opposite to the shortest side
-  double cosine = sum - 2 * most; // of the largest angle, in the same unit as its sine
-  if (cosine * p->largest[1] < p->largest[0] * sine || p->s->triangles == 0) {
-    p->largest[0] = cosine;
-    p->largest[1] = sine;
-    p->s->angle_max = fmax(p->s->angle_max, atan2(sine, cosine) * DEGREES);
+  size_t nodes = (size_t)elem_nodes(k->type);
+  const uint32_t *v = k->node + first * nodes;
+  for (size_t i = 0; i < n; i++, v += nodes)
+    for (int c = 0; c < 3; c++) {
+      const double *x = m->xyz + 3 * (size_t)v[c];
+      t->x[c][i] = x[0];
+      t->y[c][i] = x[1];
+      t->z[c][i] = x[2];
+    }
+}
+
+static inline double square(double x, double y, double z) { return x * x + y * y + z * z; }
+
+// The smallest angle is opposite to the shortest side; tan A = 4 area / (b^2 + c^2 - a^2).
+static void measure(Triangles *t, Vec3 normal)
+{
+  for (size_t i = 0; i < BATCH; i++) {
+    double ux = t->x[1][i] - t->x[0][i], uy = t->y[1][i] - t->y[0][i], uz = t->z[1][i] - t->z[0][i];
+    double vx = t->x[2][i] - t->x[0][i], vy = t->y[2][i] - t->y[0][i], vz = t->z[2][i] - t->z[0][i];
+    double nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
+    double a2 = square(t->x[2][i] - t->x[1][i], t->y[2][i] - t->y[1][i], t->z[2][i] - t->z[1][i]);
+    double b2 = square(vx, vy, vz), c2 = square(ux, uy, uz), sum = a2 + b2 + c2;
+    double a = sqrt(a2), b = sqrt(b2), c = sqrt(c2), n = sqrt(square(nx, ny, nz)), d = a * b * c * (a + b + c);
+    double gamma = d > 0 ? 4 * n * n / d : 0;
+    t->area[i] = 0.5 * n;
+    t->gamma[i] = nx * normal.x + ny * normal.y + nz * normal.z < 0 ? -gamma : gamma;
+    double low = b2 < c2 ? b2 : c2, high = b2 < c2 ? c2 : b2;
+    low = a2 < low ? a2 : low;
+    high = a2 > high ? a2 : high;
+    t->least[i] = low;
+    t->most[i] = high;
+    t->sine[i] = 2 * n;
+    t->cosine_least[i] = sum - 2 * low;
+    t->cosine_most[i] = sum - 2 * high;
   }
-  note_edge(p->s, sqrt(least));
-  note_edge(p->s, sqrt(most));
-  vec_push(&p->gamma, gamma);
-  vec_push(&p->angle, angle);
-  spread_add(&p->s->gamma, gamma);
-  spread_add(&p->s->angle, angle);
-  note_worst(p, k, i, gamma);
-  p->s->triangles++;
-  return fabs(t.area);
+}
+
+// The angle's bin from its tangent, without the angle.
+static void angle_add(Pass *p, double sine, double cosine)
+{
+  double tangent = sine / cosine;
+  size_t bin = part_of(tangent * TANGENT_CELLS, 2 * TANGENT_CELLS); // tangents are below 2
+  bin = p->cell[bin];
+  while (bin + 1 < STATS_BINS && tangent >= p->edge[bin + 1]) bin++;
+  p->s->angle.bin[bin]++;
+  p->s->angle.n++;
+  if (cosine * p->smallest[1] > p->smallest[0] * sine || p->s->angle.n == 1) {
+    p->smallest[0] = cosine;
+    p->smallest[1] = sine;
+    p->s->angle.min = fmin(p->s->angle.min, atan2(sine, cosine) * DEGREES);
+  }
+}
+
+static void add_triangle(Pass *p, const MeshBlock *k, size_t element, const Triangles *t, size_t i)
+{
+  MeshStats *s = p->s;
+  angle_add(p, t->sine[i], t->cosine_least[i]);
+  if (t->cosine_most[i] * p->largest[1] < p->largest[0] * t->sine[i] || s->triangles == 0) {
+    p->largest[0] = t->cosine_most[i];
+    p->largest[1] = t->sine[i];
+    s->angle_max = fmax(s->angle_max, atan2(t->sine[i], t->cosine_most[i]) * DEGREES);
+  }
+  note_edge(p, t->least[i]);
+  note_edge(p, t->most[i]);
+  p->gamma.data[p->gamma.len++] = t->gamma[i];
+  spread_add(&s->gamma, t->gamma[i]);
+  note_worst(p, k, element, t->gamma[i]);
+  s->triangles++;
+}
+
+// The area of the block's triangles.
+static double pass_triangles(Pass *p, const MeshBlock *k, Vec3 normal)
+{
+  Triangles t = {0};
+  double area = 0;
+  vec_reserve(&p->gamma, p->gamma.len + k->n);
+  for (size_t first = 0; first < k->n; first += BATCH) {
+    size_t n = MIN(k->n - first, (size_t)BATCH);
+    gather(&t, p->m, k, first, n);
+    measure(&t, normal);
+    for (size_t i = 0; i < n; i++) {
+      add_triangle(p, k, first + i, &t, i);
+      area += t.area[i];
+    }
+  }
+  return area;
 }
 
 static double pass_quad(Pass *p, const MeshBlock *k, size_t i, Vec3 normal)
 {
-  double least, most, eta = mesh_measure(p->m, k, i, MEASURE_ETA), area = mesh_size_of(p->m, k, i, normal);
+  double least, most, area = mesh_size_of(p->m, k, i, normal);
   Vec3 x[4];
   mesh_corners(p->m, k, i, x);
   mesh_angle_range(p->m, k, i, &least, &most);
-  for (int c = 0; c < 4; c++) note_edge(p->s, vec3_distance(x[c], x[(c + 1) % 4]));
+  double eta = fmax(0, 1 - fmax(most - 90, 90 - least) / 90);
+  for (int c = 0; c < 4; c++) {
+    Vec3 d = vec3_sub(x[(c + 1) % 4], x[c]);
+    note_edge(p, vec3_dot(d, d));
+  }
   double jacobian = mesh_scaled_jacobian(p->m, k, i);
   if (area < 0) eta = -eta;
   if (area < 0) jacobian = -fabs(jacobian);
   p->s->angle_max = fmax(p->s->angle_max, most);
+  p->s->angle.min = fmin(p->s->angle.min, least);
+  p->s->angle.bin[part_of(least / p->s->angle.range * STATS_BINS, STATS_BINS)]++;
+  p->s->angle.n++;
   vec_push(&p->eta, eta);
   vec_push(&p->jacobian, jacobian);
-  vec_push(&p->angle, least);
   spread_add(&p->s->eta, eta);
   spread_add(&p->s->jacobian, jacobian);
-  spread_add(&p->s->angle, least);
   note_worst(p, k, i, eta);
   p->s->quads++;
   return fabs(area);
@@ -131,11 +235,13 @@ static double pass_block(Pass *p, const MeshBlock *k)
   double size = 0;
   int dim = elem_dim(k->type);
   Vec3 normal = dim == 2 ? mesh_area_vector(p->m, k->entity) : (Vec3){0, 0, 0};
-  for (size_t i = 0; i < k->n; i++)
+  bool triangles = dim == 2 && elem_corners(k->type) == 3;
+  if (triangles) size = pass_triangles(p, k, normal);
+  for (size_t i = 0; i < k->n && !triangles; i++)
     if (dim == 1)
       size += mesh_size_of(p->m, k, i, normal);
     else if (dim == 2)
-      size += elem_corners(k->type) == 3 ? pass_triangle(p, k, i, normal) : pass_quad(p, k, i, normal);
+      size += pass_quad(p, k, i, normal);
   p->s->order = MAX(p->s->order, elem_order(k->type));
   if (dim == 0) p->s->points += k->n;
   if (dim == 1) p->s->lines += k->n;
@@ -173,8 +279,9 @@ static void sum_groups(MeshStats *s, const Mesh *m)
 static double tau_of_edge(const Mesh *m, const double *size, uint32_t a, uint32_t b)
 {
   double h0 = size[a], h1 = size[b], len = vec3_distance(mesh_xyz(m, a), mesh_xyz(m, b)), r = h1 / h0 - 1;
-  // ln(1 + r) / r loses no digits through log1p; its limit at 0 is 1.
-  return quality_tau_term(len / h0 * (r == 0 ? 1 : log1p(r) / r));
+  // ln(1 + r) / r loses no digits through log1p; for small r the first terms of its series are as good.
+  double mean = fabs(r) < 1e-4 ? 1 - r * (1. / 2 - r * (1. / 3 - r * (1. / 4))) : log1p(r) / r;
+  return quality_tau_term(len / h0 * mean);
 }
 
 // What each node sees of the elements around it.
@@ -231,7 +338,7 @@ static void add_edge(EdgeSum *s, uint32_t p, uint32_t q)
 static void sum_block(EdgeSum *s, const MeshBlock *k)
 {
   size_t corners = (size_t)elem_corners(k->type), nodes = (size_t)elem_nodes(k->type);
-  for (size_t i = 0; i < k->n; i++)
+  for (size_t i = 0; i < k->n && !isnan(s->sum); i++) // where sizes are not known nothing is
     for (size_t c = 0; c < corners; c++) {
       uint32_t p = k->node[i * nodes + c], q = k->node[i * nodes + (c + 1 == corners ? 0 : c + 1)];
       bool rim = s->around->open[p] && s->around->open[q];
@@ -278,14 +385,29 @@ static void pass_edges(MeshStats *s, const Mesh *m, const double *size)
   free(a.open);
 }
 
+static void pass_begin(Pass *p)
+{
+  p->edge2_min = INFINITY;
+  for (int b = 0; b < STATS_BINS; b++) {
+    double angle = p->s->angle.range * b / STATS_BINS;
+    p->edge[b] = angle > 70 ? 2 : tan(angle / DEGREES); // no smallest angle of a triangle is above 60
+  }
+  for (int c = 0, b = 0; c < 2 * TANGENT_CELLS; c++) {
+    while (b + 1 < STATS_BINS && (double)c / TANGENT_CELLS >= p->edge[b + 1]) b++;
+    p->cell[c] = (uint8_t)b;
+  }
+}
+
 void mesh_stats_make(MeshStats *s, const Mesh *m, const double *size)
 {
-  *s = (MeshStats){.nodes = m->nnode, .edge_min = INFINITY};
+  *s = (MeshStats){.nodes = m->nnode};
   Pass p = {.s = s, .m = m};
   size_t quads = 0;
   for (size_t b = 0; b < m->nblock; b++) quads += elem_corners(m->block[b].type) == 4 ? m->block[b].n : 0;
   s->gamma.range = s->eta.range = s->jacobian.range = 1;
   s->angle.range = quads ? 90 : 60;
+  s->angle.min = 90;
+  pass_begin(&p);
   for (size_t b = 0; b < m->nblock; b++) {
     const MeshBlock *k = &m->block[b];
     const MeshEntity *e = &m->entity[k->entity];
@@ -299,11 +421,12 @@ void mesh_stats_make(MeshStats *s, const Mesh *m, const double *size)
   for (size_t i = 0; i < m->nnode; i++) box = box3_with(box, mesh_xyz(m, (uint32_t)i));
   s->lo = box.lo;
   s->hi = box.hi;
-  if (!(s->edge_min <= s->edge_max)) s->edge_min = 0;
+  s->edge_min = p.edge2_min <= p.edge2_max ? sqrt(p.edge2_min) : 0;
+  s->edge_max = sqrt(p.edge2_max);
+  if (!s->angle.n) s->angle.min = 0;
   spread_finish(&s->gamma, &p.gamma);
   spread_finish(&s->eta, &p.eta);
   spread_finish(&s->jacobian, &p.jacobian);
-  spread_finish(&s->angle, &p.angle);
   sum_groups(s, m);
   pass_edges(s, m, size);
 }

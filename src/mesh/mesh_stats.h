@@ -40,7 +40,7 @@ typedef struct {
   MeasureStats gamma;        // triangles
   MeasureStats eta;          // quadrangles
   MeasureStats jacobian;     // scaled Jacobian of quadrangles
-  MeasureStats angle;        // smallest angle of each surface element, degrees
+  MeasureStats angle;        // smallest angle of each surface element, degrees; only n, min and the histogram
   double angle_max;          // largest angle of any
   double edge_min, edge_max; // lengths of element edges
   size_t irregular;          // interior nodes of faces whose number of elements is not 6 (triangles) or 4 (quadrangles)

@@ -49,21 +49,33 @@ static Vec3 node_place(const EdgeNodes *en, const FaceMesh *fm, uint32_t id)
   return id < en->n ? en->xyz[id] : fm->own[id - en->n];
 }
 
-bool face_mesh_valid(const FaceMesh *fm, const Face *f, const EdgeNodes *en)
+// Where a node is seen from the face's upper side. In a plane of constant z these are the coordinates themselves, so signs are exact.
+static void look_at_node(const Face *f, Vec3 x, double to[2])
 {
-  for (size_t k = 0; k < fm->ntri + fm->nquad; k++) {
-    bool quad = k >= fm->ntri;
-    const uint32_t *v = quad ? fm->quad + 4 * (k - fm->ntri) : fm->tri + 3 * k;
-    Vec2 p[4];
-    int n = quad ? 4 : 3;
-    for (int i = 0; i < n; i++) p[i] = face_to_plane(f, node_place(en, fm, v[i]));
-    for (int i = 0; i < (quad ? 4 : 1); i++) {
-      const double a[2] = {p[i].x, p[i].y}, b[2] = {p[(i + 1) % n].x, p[(i + 1) % n].y};
-      const double c[2] = {p[(i + 2) % n].x, p[(i + 2) % n].y};
-      if (orient2d(a, b, c) <= 0) return false;
-    }
+  if (!f->sphere && f->normal.x == 0 && f->normal.y == 0) {
+    to[0] = f->normal.z < 0 ? -x.x : x.x;
+    to[1] = x.y;
+    return;
+  }
+  Vec2 q = face_to_plane(f, x);
+  to[0] = q.x;
+  to[1] = q.y;
+}
+
+static bool elements_valid(const FaceMesh *fm, const Face *f, const EdgeNodes *en, const uint32_t *v, size_t n, int corners)
+{
+  for (size_t k = 0; k < n; k++, v += corners) {
+    double p[4][2];
+    for (int i = 0; i < corners; i++) look_at_node(f, node_place(en, fm, v[i]), p[i]);
+    for (int i = 0; i < (corners == 4 ? 4 : 1); i++)
+      if (orient2d(p[i], p[(i + 1) % corners], p[(i + 2) % corners]) <= 0) return false;
   }
   return true;
+}
+
+bool face_mesh_valid(const FaceMesh *fm, const Face *f, const EdgeNodes *en)
+{
+  return elements_valid(fm, f, en, fm->tri, fm->ntri, 3) && elements_valid(fm, f, en, fm->quad, fm->nquad, 4);
 }
 
 void face_mesh_from_grid(FaceMesh *out, size_t nu, size_t nv, const uint32_t *id, TransfiniteArrangement how, bool fan, bool mirror,
@@ -295,16 +307,17 @@ static void interpolate(const Patch *p, Vec3 *node)
   free(v);
 }
 
-// Places of the grid's nodes to the own nodes of the face, from the parameter plane if the face is a filling.
-static void store_nodes(const Patch *p, const uint32_t *id, const Vec3 *node, FaceMesh *out)
+// Places of the grid's nodes to the own nodes of the face, from the parameter plane if the face is a filling. `own` may be `node`: none
+// moves up, since own nodes are numbered as the grid runs.
+static void store_nodes(const Patch *p, const Vec3 *node, Vec3 *own)
 {
   Filling s;
   if (p->param) filling_init(&s, p->in->model, p->f);
-  for (size_t k = 0; k < (p->nu + 1) * (p->nv + 1); k++) {
-    if (id[k] < p->en->n) continue;
-    Vec3 q = p->param ? filling_point(&s, node[k].x, node[k].y) : node[k];
-    out->own[id[k] - p->en->n] = q;
-  }
+  for (size_t i = 1, at = 0; i < p->nu; i++)
+    for (size_t j = 1; j < p->nv; j++, at++) {
+      Vec3 q = node[i * (p->nv + 1) + j];
+      own[at] = p->param ? filling_point(&s, q.x, q.y) : q;
+    }
 }
 
 static bool wants_quads(const Patch *p) { return p->f->recombine || p->in->options->Mesh_RecombineAll; }
@@ -319,29 +332,34 @@ static int smoothing_passes(const Patch *p)
 
 enum { UNFOLD_ROUNDS = 8, UNFOLD_PASSES = 25 };
 
-static bool fill_grid(const Patch *p, FaceMesh *out)
+// Pass after pass over a grid whose cells are folded, until they are not.
+static bool unfold(const Patch *p, FaceMesh *out)
 {
-  size_t nnode = (p->nu + 1) * (p->nv + 1);
-  Vec3 *node = mem_alloc(nnode * sizeof *node);
-  uint32_t *id = grid_ids(p, &out->nown);
+  Vec3 *node = mem_alloc((p->nu + 1) * (p->nv + 1) * sizeof *node);
+  bool valid = false;
   interpolate(p, node);
   grid_smooth(p->nu, p->nv, node, smoothing_passes(p));
-  out->own = mem_alloc(out->nown * sizeof *out->own);
-  store_nodes(p, id, node, out);
-  face_mesh_from_grid(out, p->nu, p->nv, id, p->f->arrangement, p->ncorner == 3, p->mirror, wants_quads(p));
-  bool valid = !p->f->planar || face_mesh_valid(out, p->f, p->en);
-  for (int round = 0; round < UNFOLD_ROUNDS && !valid && p->ncorner == 4; round++) {
+  for (int round = 0; round < UNFOLD_ROUNDS && !valid; round++) {
     grid_smooth(p->nu, p->nv, node, UNFOLD_PASSES);
-    store_nodes(p, id, node, out);
+    store_nodes(p, node, out->own);
     valid = face_mesh_valid(out, p->f, p->en);
   }
   free(node);
+  return valid;
+}
+
+static bool fill_grid(const Patch *p, FaceMesh *out)
+{
+  Vec3 *node = out->own = mem_alloc((p->nu + 1) * (p->nv + 1) * sizeof *node);
+  uint32_t *id = grid_ids(p, &out->nown);
+  interpolate(p, node);
+  grid_smooth(p->nu, p->nv, node, smoothing_passes(p));
+  store_nodes(p, node, out->own);
+  face_mesh_from_grid(out, p->nu, p->nv, id, p->f->arrangement, p->ncorner == 3, p->mirror, wants_quads(p));
   free(id);
-  if (!valid) {
-    face_mesh_free(out);
-    return refuse(p, "its cells would be folded");
-  }
-  return true;
+  if (!p->f->planar || face_mesh_valid(out, p->f, p->en) || (p->ncorner == 4 && unfold(p, out))) return true;
+  face_mesh_free(out);
+  return refuse(p, "its cells would be folded");
 }
 
 // Three sides of equal counts, as a triangular grid (Mesh.TransfiniteTri).

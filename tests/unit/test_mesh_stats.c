@@ -135,21 +135,26 @@ static void measures_of_known_shapes(void **state)
 static void distribution_and_valence(void **state)
 {
   (void)state;
-  Mesh *m = sample_mesh(20, false, false);
+  Mesh *m = sample_mesh(80, false, false);
   MeshStats s;
   mesh_stats_make(&s, m, NULL);
   assert_int_equal(s.irregular, 0);
-  assert_int_equal(s.interior, 2 * 19 * 19);
-  size_t below = 0, n = 0;
-  double sum = 0;
+  assert_int_equal(s.interior, 2 * 79 * 79);
+  size_t below = 0, n = 0, bin[STATS_BINS] = {0};
+  double sum = 0, angle = 180;
   for (size_t b = 0; b < m->nblock; b++)
     for (size_t i = 0; elem_dim(m->block[b].type) == 2 && i < m->block[b].n; i++, n++) {
       double g = mesh_measure(m, &m->block[b], i, MEASURE_GAMMA);
       below += g < s.gamma.p5;
       sum += g;
+      double a = mesh_measure(m, &m->block[b], i, MEASURE_ANGLE);
+      bin[(int)(a / 60 * STATS_BINS)]++;
+      angle = fmin(angle, a);
     }
   assert_int_equal(below, (size_t)(0.05 * (double)(n - 1)));
   assert_near(s.gamma.mean, sum / (double)n, 1e-13);
+  assert_near(s.angle.min, angle, 1e-12);
+  for (int i = 0; i < STATS_BINS; i++) assert_int_equal(s.angle.bin[i], bin[i]);
   mesh_stats_free(&s);
   mesh_free(m);
   m = sample_mesh(3, false, true);
