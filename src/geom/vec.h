@@ -44,8 +44,8 @@ static inline Box3 box3_empty(void)
 }
 static inline Box3 box3_with(Box3 b, Vec3 p)
 {
-  return (Box3){{fmin(b.lo.x, p.x), fmin(b.lo.y, p.y), fmin(b.lo.z, p.z)},
-                {fmax(b.hi.x, p.x), fmax(b.hi.y, p.y), fmax(b.hi.z, p.z)}};
+  return (Box3){{p.x < b.lo.x ? p.x : b.lo.x, p.y < b.lo.y ? p.y : b.lo.y, p.z < b.lo.z ? p.z : b.lo.z},
+                {p.x > b.hi.x ? p.x : b.hi.x, p.y > b.hi.y ? p.y : b.hi.y, p.z > b.hi.z ? p.z : b.hi.z}};
 }
 
 #endif

@@ -229,7 +229,7 @@ static void check_classification(Check *c)
     for (size_t i = 0; i < k->n * (size_t)nodes; i++) {
       uint32_t on = m->node_entity[k->node[i]];
       // Points embedded in a face are in no list, so any point is good for a face.
-      if (LIKELY(mark[on] == b) || (dim == 2 && m->entity[on].dim == 0)) continue;
+      if (LIKELY(on == k->entity) || mark[on] == b || (dim == 2 && m->entity[on].dim == 0)) continue;
       check__report(c, RULE_CLASSIFICATION, false, k->entity, b, i / (size_t)nodes, k->node[i], mesh_xyz(m, k->node[i]),
                     "node %u is on %s %d", k->node[i] + 1, m->entity[on].dim == 0 ? "point" : m->entity[on].dim == 1 ? "curve" : "face",
                     m->entity[on].tag);

@@ -180,8 +180,18 @@ static void wanted_uses(const Check *c, U64Vec *wanted)
   sort_u64(wanted);
 }
 
+// 2 marks the nodes of surface elements.
+static void mark_surface_nodes(Check *c)
+{
+  const Mesh *m = c->m;
+  for (size_t b = 0; b < m->nblock; b++)
+    if (elem_dim(m->block[b].type) == 2)
+      for (size_t i = 0; i < m->block[b].n * (size_t)elem_nodes(m->block[b].type); i++) c->used[m->block[b].node[i]] = 2;
+}
+
 static void check_lost(Check *c, EdgeScan *s)
 {
+  bool marked = false; // most meshes have no lines that lie loose
   const Mesh *m = c->m;
   U64Vec wanted = {0};
   wanted_uses(c, &wanted);
@@ -211,6 +221,8 @@ static void check_lost(Check *c, EdgeScan *s)
       if (s->use.data[mid] < (uint64_t)l << 32) lo = mid + 1; else up = mid;
     }
     bool free_line = !(lo < s->use.len && s->use.data[lo] >> 32 == l);
+    if (free_line && !marked) mark_surface_nodes(c);
+    marked |= free_line;
     if (free_line && c->used[v[0]] == 2 && c->used[v[1]] == 2)
       check__report(c, RULE_LOST_EDGE, !c->strict, curve, c->line_block.data[l], c->line_index.data[l], NONE,
                     middle(m, v[0], v[1]), "it is no edge of a surface element: nodes %u and %u", v[0] + 1, v[1] + 1);
@@ -417,10 +429,6 @@ void check__conformity(Check *c)
   gather_lines(c, s.on_line);
   for (uint32_t b = 0; b < m->nblock; b++)
     if (elem_dim(m->block[b].type) == 2) scan_block(c, &s, b);
-  // 2 marks the nodes of surface elements, for lines that lie loose among them.
-  for (size_t b = 0; b < m->nblock && c->line_block.len; b++)
-    if (elem_dim(m->block[b].type) == 2)
-      for (size_t i = 0; i < m->block[b].n * (size_t)elem_nodes(m->block[b].type); i++) c->used[m->block[b].node[i]] = 2;
   check_bad_edges(c);
   check_lost(c, &s);
   check_holes(c, &s);

@@ -12,7 +12,7 @@ typedef struct {
   bool strict;
   MeshReport *r;
   size_t *number;      // of the first element of each block, from 0
-  uint8_t *used;       // per node: by an element
+  uint8_t *used;       // per node: 1 if by an element, 2 if by a surface element and those have been marked
   // curves
   Map line;            // pair of end nodes -> index of the line element, over all blocks of dimension 1
   Vec(uint32_t) line_block;

@@ -33,29 +33,6 @@ static void add(uint64_t sum[2], uint64_t h)
   sum[1] += mix(h ^ 0x14057b7ef767814fu);
 }
 
-// Hash of an element whose node i is v[perm[i]].
-static uint64_t sequence(const uint64_t *node, const uint32_t *v, const uint8_t *perm, int n, uint64_t seed)
-{
-  uint64_t h = seed;
-  for (int i = 0; i < n; i++) h = chain(h, node[v[perm[i]]]);
-  return h;
-}
-
-// Of the element, reversed if flip: the rotation that begins at the corner of least hash.
-static uint64_t element_hash(const uint64_t *node, const uint32_t *v, uint8_t perm[4][ELEM_MAX_NODES], int n, int corners,
-                             uint64_t seed)
-{
-  int r = 0;
-  uint64_t least = node[v[perm[0][0]]];
-  for (int c = 1; corners > 2 && c < corners; c++) { // no branch on what is as good as random
-    uint64_t h = node[v[perm[0][c]]];
-    r = h < least ? c : r;
-    least = h < least ? h : least;
-  }
-  // perm[r] rotates; for the reversed ones its first corner is corner r of perm[0].
-  return sequence(node, v, perm[r], n, seed);
-}
-
 typedef struct {
   uint8_t perm[2][4][ELEM_MAX_NODES]; // [reversed][rotation]
   int n, corners;
@@ -76,26 +53,53 @@ static void make_symmetries(Symmetries *s, ElemType t)
   }
 }
 
+enum { BATCH = 16 };
+
+// Hashes of up to BATCH elements, reversed if flip, each from the corner of least hash on. What one waits for another fills: a hash is a chain of
+// products, but the elements' are independent.
+static void hash_elements(const Symmetries *s, bool flip, const uint64_t *node, const uint32_t *v, size_t n, uint64_t seed,
+                          uint64_t h[BATCH])
+{
+  const uint8_t *perm[BATCH];
+  for (size_t e = 0; e < n; e++) {
+    const uint32_t *w = v + e * (size_t)s->n;
+    const uint8_t *corner = s->perm[flip][0];
+    uint64_t least = node[w[corner[0]]];
+    int r = 0;
+    for (int c = 1; s->corners > 2 && c < s->corners; c++) { // no branch on what is as good as random
+      uint64_t x = node[w[corner[c]]];
+      r = x < least ? c : r;
+      least = x < least ? x : least;
+    }
+    perm[e] = s->perm[flip][r];
+    h[e] = seed;
+  }
+  for (int i = 0; i < s->n; i++)
+    for (size_t e = 0; e < n; e++) h[e] = chain(h[e], node[v[e * (size_t)s->n + perm[e][i]]]);
+}
+
 // each (may be NULL) gets the hash of every element.
 static void hash_block(const Mesh *m, const MeshBlock *k, const uint64_t *node, MeshHash *sum, uint64_t *each)
 {
-  const IntVec *groups = &m->entity[k->entity].physical;
+  static const int none[1] = {0};
+  const IntVec *physical = &m->entity[k->entity].physical;
+  const int *group = physical->len ? physical->data : none;
+  size_t ngroup = MAX(physical->len, (size_t)1);
+  bool wanted[2] = {false, false};
+  for (size_t g = 0; g < ngroup; g++) wanted[group[g] < 0] = true;
   Symmetries s;
   make_symmetries(&s, k->type);
-  int first = groups->len ? groups->data[0] < 0 : 0;
   uint64_t seed = mix((uint64_t)k->type);
-  for (size_t i = 0; i < k->n; i++) {
-    const uint32_t *v = k->node + i * (size_t)s.n;
-    uint64_t h[2] = {0, 0};
-    bool have[2] = {false, false};
-    for (size_t g = 0; g < MAX(groups->len, (size_t)1); g++) {
-      int tag = groups->len ? groups->data[g] : 0, flip = tag < 0;
-      if (!have[flip]) h[flip] = element_hash(node, v, s.perm[flip], s.n, s.corners, seed);
-      have[flip] = true;
-      if (g == 0) add(sum->shape, h[first]);
-      if (g == 0 && each) each[i] = h[first];
-      add(sum->groups, chain(h[flip], (uint64_t)abs(tag)));
-    }
+  for (size_t first = 0; first < k->n; first += BATCH) {
+    uint64_t h[2][BATCH];
+    size_t n = MIN(k->n - first, (size_t)BATCH);
+    for (int flip = 0; flip < 2; flip++)
+      if (wanted[flip]) hash_elements(&s, flip, node, k->node + first * (size_t)s.n, n, seed, h[flip]);
+    const uint64_t *shape = h[group[0] < 0];
+    for (size_t e = 0; e < n; e++) add(sum->shape, shape[e]);
+    if (each) memcpy(each + first, shape, n * sizeof *each);
+    for (size_t g = 0; g < ngroup; g++)
+      for (size_t e = 0; e < n; e++) add(sum->groups, chain(h[group[g] < 0][e], (uint64_t)abs(group[g])));
   }
 }
 

@@ -107,6 +107,7 @@ static void note_edge(Pass *p, double squared)
 enum { BATCH = 64 };
 typedef struct {
   double x[3][BATCH], y[3][BATCH], z[3][BATCH];
+  double nz[BATCH], off[BATCH];     // the area vector, doubled: along z, and what it has beside
   double area[BATCH], gamma[BATCH]; // the latter with the sign of the area against the face's normal
   double least[BATCH], most[BATCH]; // squared lengths of sides
   double sine[BATCH], cosine_least[BATCH], cosine_most[BATCH]; // of the smallest and of the largest angle, all times the same
@@ -134,6 +135,8 @@ static void measure(Triangles *t, Vec3 normal)
     double ux = t->x[1][i] - t->x[0][i], uy = t->y[1][i] - t->y[0][i], uz = t->z[1][i] - t->z[0][i];
     double vx = t->x[2][i] - t->x[0][i], vy = t->y[2][i] - t->y[0][i], vz = t->z[2][i] - t->z[0][i];
     double nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
+    t->nz[i] = nz;
+    t->off[i] = fabs(nx) + fabs(ny);
     double a2 = square(t->x[2][i] - t->x[1][i], t->y[2][i] - t->y[1][i], t->z[2][i] - t->z[1][i]);
     double b2 = square(vx, vy, vz), c2 = square(ux, uy, uz), sum = a2 + b2 + c2;
     double a = sqrt(a2), b = sqrt(b2), c = sqrt(c2), n = sqrt(square(nx, ny, nz)), d = a * b * c * (a + b + c);
@@ -184,11 +187,11 @@ static void add_triangle(Pass *p, const MeshBlock *k, size_t element, const Tria
   s->triangles++;
 }
 
-// The area of the block's triangles.
-static double pass_triangles(Pass *p, const MeshBlock *k, Vec3 normal)
+// The area of the block's triangles. `level` is told the sum of their area vectors along z, or NAN if they have another direction too.
+static double pass_triangles(Pass *p, const MeshBlock *k, Vec3 normal, double *level)
 {
   Triangles t = {0};
-  double area = 0;
+  double area = 0, nz = 0, off = 0;
   vec_reserve(&p->gamma, p->gamma.len + k->n);
   for (size_t first = 0; first < k->n; first += BATCH) {
     size_t n = MIN(k->n - first, (size_t)BATCH);
@@ -197,9 +200,28 @@ static double pass_triangles(Pass *p, const MeshBlock *k, Vec3 normal)
     for (size_t i = 0; i < n; i++) {
       add_triangle(p, k, first + i, &t, i);
       area += t.area[i];
+      nz += t.nz[i];
+      off += t.off[i];
     }
   }
+  *level = off == 0 ? nz : NAN;
   return area;
+}
+
+// The same, without knowing the normal of their face. Most faces are level and seen from above: that is tried first, which spares a pass.
+static double pass_face_of_triangles(Pass *p, const MeshBlock *k)
+{
+  MeshStats before = *p->s;
+  Pass again = *p;
+  const MeshBlock *end = p->m->block + p->m->nblock;
+  bool alone = (k == p->m->block || k[-1].entity != k->entity) && (k + 1 == end || k[1].entity != k->entity);
+  double level, area = pass_triangles(p, k, (Vec3){0, 0, 1}, &level);
+  if (alone && level > 0) return area;
+  again.gamma.data = p->gamma.data;
+  again.gamma.cap = p->gamma.cap;
+  *p = again;
+  *p->s = before;
+  return pass_triangles(p, k, mesh_area_vector(p->m, k->entity), &level);
 }
 
 static double pass_quad(Pass *p, const MeshBlock *k, size_t i, Vec3 normal)
@@ -234,9 +256,9 @@ static double pass_block(Pass *p, const MeshBlock *k)
 {
   double size = 0;
   int dim = elem_dim(k->type);
-  Vec3 normal = dim == 2 ? mesh_area_vector(p->m, k->entity) : (Vec3){0, 0, 0};
   bool triangles = dim == 2 && elem_corners(k->type) == 3;
-  if (triangles) size = pass_triangles(p, k, normal);
+  if (triangles) size = pass_face_of_triangles(p, k);
+  Vec3 normal = dim == 2 && !triangles ? mesh_area_vector(p->m, k->entity) : (Vec3){0, 0, 0};
   for (size_t i = 0; i < k->n && !triangles; i++)
     if (dim == 1)
       size += mesh_size_of(p->m, k, i, normal);
