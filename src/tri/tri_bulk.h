@@ -23,6 +23,7 @@ typedef struct {
   PredCount count;
   uint64_t walks, steps, cavity, merged, flipped;
   struct BulkScratch *scratch;
+  struct BulkWork *work;
   char apart[128]; // workers count in cache lines of their own
 } Bulk;
 void bulk_begin(Bulk *m); // makes the scratch memory
@@ -44,17 +45,25 @@ VertId bulk_split(const Bulk *m, VertId lo, VertId hi);
 // Join the two halves of a cell, neither empty.
 BulkHull bulk_merge(Bulk *m, VertId mid, const BulkHull *p, const BulkHull *q);
 
-// The edge v[0] v[1] from which a merge rises, left and right; the next hull edges on both sides, h[0] into v[0] and h[1] out
-// of v[1] (NONE: a single vertex); and the half-edge v[1] -> v[0] below.
+// A merge: the edge v[0] v[1] from which it rises, left and right; the next hull edges on both sides, h[0] into v[0] and h[1]
+// out of v[1] (NONE: a single vertex); and the half-edge v[1] -> v[0] below.
 typedef struct {
   VertId v[2];
   EdgeId h[2], base;
+  uint32_t node; // of the tree of merges
 } BulkRise;
-// From the lower common tangent to the upper one: peel off what is not Delaunay any more, and fill the gap (tri_bulk_climb.c).
-void bulk_climb(Bulk *m, BulkRise *rise);
+// The next merge whose parts are done, at its lower common tangent; false: there is none at the moment.
+bool bulk_next(Bulk *m, BulkRise *rise);
+// It has come to its upper common tangent.
+void bulk_done(Bulk *m, const BulkRise *rise);
+// From the lower common tangents to the upper ones, until bulk_next has no more: peel off what is not Delaunay any more, and
+// fill the gaps (tri_bulk_climb.c).
+void bulk_climb(Bulk *m);
 
 // The same by insertion, for any vertices, not only a cell's (tri_bulk_insert.c).
 BulkHull bulk_insert(Bulk *m, VertId lo, VertId hi);
+void bulk__begin_insert(Bulk *m);
+void bulk__end_insert(Bulk *m);
 
 // One to three vertices; any number on one line; and the extreme vertices, given a hull edge (tri_bulk_base.c).
 BulkHull bulk_base(Bulk *m, VertId lo, VertId hi);

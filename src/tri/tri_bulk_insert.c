@@ -229,14 +229,14 @@ BulkHull bulk_insert(Bulk *m, VertId lo, VertId hi)
   return bulk_extremes(m, h);
 }
 
-void bulk_begin(Bulk *m)
+void bulk__begin_insert(Bulk *m)
 {
   m->scratch = mem_zalloc(sizeof *m->scratch);
   vec_reserve(&m->scratch->sides, 64);
   vec_reserve(&m->scratch->slots, 64);
 }
 
-void bulk_end(Bulk *m)
+void bulk__end_insert(Bulk *m)
 {
   vec_free(&m->scratch->sides);
   vec_free(&m->scratch->slots);
