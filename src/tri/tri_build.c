@@ -77,7 +77,7 @@ static size_t drop_duplicates(double *xy, uint32_t *order, uint32_t *key, size_t
 
 // The upper part of the tree of cells, the same for any number of threads. Its leaves are built one by one, then the halves of
 // each level are joined from the lowest up.
-enum { MAX_NODES = 512, MAX_DEPTH = 12, TASKS = 64, SMALL_TASK = 2048 };
+enum { MAX_NODES = 512, MAX_DEPTH = 12, TASKS = 16, SMALL_TASK = 2048 };
 
 typedef struct {
   VertId lo, hi, mid; // mid: where its halves meet, if it has any
@@ -153,7 +153,7 @@ static void triangulate(Tri *m, const double *xy, const uint32_t *key, size_t n,
   Tree *t = mem_alloc(sizeof *t);
   t->worker = b;
   t->n = 0;
-  add_node(t, 0, (VertId)n, 0, incremental ? n : MAX(n / TASKS, (size_t)SMALL_TASK));
+  add_node(t, 0, (VertId)n, 0, incremental || threads == 1 ? n : MAX(n / (TASKS * (size_t)threads), (size_t)SMALL_TASK));
   build_tree(t, threads);
   free(t);
   for (int i = 0; i < threads; i++) {

@@ -109,9 +109,11 @@ static inline BulkHull *place_of(struct BulkWork *w, uint32_t parent)
   return parent == NONE ? &w->whole : &w->nodes.data[parent / 2].hull[parent & 1];
 }
 
-static inline void deliver(struct BulkWork *w, uint32_t parent)
+static inline void deliver(Bulk *m, struct BulkWork *w, uint32_t parent)
 {
-  if (parent != NONE && --w->nodes.data[parent / 2].missing == 0) vec_push(&w->ready, parent / 2);
+  if (parent == NONE || --w->nodes.data[parent / 2].missing) return;
+  vec_push(&w->ready, parent / 2);
+  m->waiting = true;
 }
 
 // Build a part, or divide it.
@@ -124,7 +126,7 @@ static void advance(Bulk *m, struct BulkWork *w, Part p)
     if (mid == p.hi) *place_of(w, p.parent) = bulk_insert(m, p.lo, p.hi);
   }
   if (mid == p.hi) {
-    deliver(w, p.parent);
+    deliver(m, w, p.parent);
     return;
   }
   uint32_t k = new_node(w, mid, p.parent);
@@ -162,7 +164,10 @@ bool bulk_next(Bulk *m, BulkRise *rise)
 {
   struct BulkWork *w = m->work;
   while (w->ready.len == 0) {
-    if (w->parts.len == 0) return false;
+    if (w->parts.len == 0) {
+      m->waiting = false;
+      return false;
+    }
     Part p = vec_pop(&w->parts);
     advance(m, w, p);
   }
@@ -186,7 +191,7 @@ void bulk_done(Bulk *m, const BulkRise *rise)
   bulk_link(m, 3 * top + 1, hr != NONE ? hr + 2 : 3 * bottom + 2); // r -> inf, inf -> r
   *place_of(w, d->parent) = unite(&d->hull[!d->right], &d->hull[d->right], d->axis, l, new_l ? 3 * top : NONE, d->low_r,
                                   new_r ? 3 * bottom : NONE);
-  deliver(w, d->parent);
+  deliver(m, w, d->parent);
   vec_push(&w->unused, rise->node);
 }
 
@@ -212,6 +217,7 @@ VertId bulk_split(const Bulk *m, VertId lo, VertId hi)
 BulkHull bulk_build(Bulk *m, VertId lo, VertId hi)
 {
   vec_push(&m->work->parts, ((Part){lo, hi, NONE}));
+  m->waiting = true;
   bulk_climb(m);
   return m->work->whole;
 }
@@ -223,6 +229,7 @@ BulkHull bulk_merge(Bulk *m, VertId mid, const BulkHull *p, const BulkHull *q)
   w->nodes.data[k].hull[0] = *p;
   w->nodes.data[k].hull[1] = *q;
   vec_push(&w->ready, k);
+  m->waiting = true;
   bulk_climb(m);
   return w->whole;
 }

@@ -24,6 +24,7 @@ typedef struct {
   uint64_t walks, steps, cavity, merged, flipped;
   struct BulkScratch *scratch;
   struct BulkWork *work;
+  bool waiting; // bulk_next may have a merge
   char apart[128]; // workers count in cache lines of their own
 } Bulk;
 void bulk_begin(Bulk *m); // makes the scratch memory

@@ -47,14 +47,14 @@ static inline unsigned greater(V a, V b)
 }
 
 // The state of all climbs. For each side: an end of the base, with coordinates bx, by; the hull edge h above it, from the next
-// vertex v (x, y) to the base's left end, or from its right end to v; and the apex z (zx, zy) of the triangle behind h. Bits,
-// one a side: none - that is a ghost; has - there is a hull edge.
+// vertex v (x, y) to the base's left end, or from its right end to v; and the apex z (zx, zy) of the triangle behind h. If that
+// is a ghost, z's test is lost by `out`, which then is infinite, else 0. Bits of has, one a side: there is a hull edge.
 typedef struct {
-  double x[SIDES], y[SIDES], zx[SIDES], zy[SIDES], bx[SIDES], by[SIDES];
+  double x[SIDES], y[SIDES], zx[SIDES], zy[SIDES], out[SIDES], bx[SIDES], by[SIDES];
   VertId end[SIDES], v[SIDES], z[SIDES];
   EdgeId h[SIDES], base[MERGES];
   uint32_t node[MERGES];
-  unsigned none, has;
+  unsigned has;
   uint64_t triangles, flips;
 } Climb;
 
@@ -70,7 +70,7 @@ static inline void look(const Bulk *m, Climb *c, uint32_t i, EdgeId h)
   c->h[i] = h, c->v[i] = v, c->z[i] = z;
   c->x[i] = p[0], c->y[i] = p[1];
   c->zx[i] = q[0], c->zy[i] = q[1];
-  c->none = (c->none & ~(1u << i)) | (unsigned)(z == TRI_INF) << i;
+  c->out[i] = z == TRI_INF ? (double)INFINITY : 0.0;
 }
 
 // The hull edge of side i goes: the triangle behind it, l -> v -> z, and its ghost are flipped; h becomes z -> l, and the ghost on
@@ -138,10 +138,11 @@ static inline Signs test(const Climb *c, uint32_t first)
   Signs sign = {0, 0, 0, 0, 0, 0};
   for (uint32_t j = 0; j < GROUP_SIDES; j += WIDTH) {
     const uint32_t i = first + j;
-    V bx, by, x, y, z, w;
+    V bx, by, x, y, z, w, o;
     memcpy(&bx, c->bx + i, sizeof bx), memcpy(&by, c->by + i, sizeof by);
     memcpy(&x, c->x + i, sizeof x), memcpy(&y, c->y + i, sizeof y);
     memcpy(&z, c->zx + i, sizeof z), memcpy(&w, c->zy + i, sizeof w);
+    memcpy(&o, c->out + i, sizeof o);
     V lx = lefts(bx), ly = lefts(by), ux = rights(bx) - lx, uy = rights(by) - ly, ul = ux * ux + uy * uy;
     V ax = x - lx, ay = y - ly, al = ax * ax + ay * ay;
     V zx = z - lx, zy = w - ly, zl = zx * zx + zy * zy;
@@ -151,7 +152,7 @@ static inline Signs test(const Climb *c, uint32_t first)
     V a = al * swapped(up), b = ax * swapped(ay), other = (a - swapped(a)) + ul * (swapped(b) - b);
     V t = (al + swapped(al)) + ul, other_tol = INCIRCLE_BOUND * (t * t) + (INCIRCLE_TINY * t + INCIRCLE_TINY);
     sign.up |= greater(up, up_tol) << j, sign.not_up |= greater(-up, up_tol) << j;
-    sign.in |= greater(in, in_tol) << j, sign.not_in |= greater(-in, in_tol) << j;
+    sign.in |= greater(in, in_tol) << j, sign.not_in |= greater(o - in, in_tol) << j;
     sign.other |= greater(other, other_tol) << j, sign.not_other |= greater(-other, other_tol) << j;
   }
   return sign;
@@ -169,12 +170,11 @@ static inline void choose(Bulk *m, const Climb *c, uint32_t first, uint8_t actio
   };
   const unsigned all = (1u << GROUP_SIDES) - 1, left = all / 3;
   Signs s = test(c, first);
-  unsigned has = c->has >> first, none = c->none >> first;
-  unsigned up = s.up & has, stay = s.not_up | ~has, in = s.in & ~none, out = s.not_in | none | stay;
-  unsigned unsure = ~((up | stay) & (in | out)) & all;
+  unsigned has = c->has >> first, up = s.up & has, stay = s.not_up | ~has;
+  unsigned unsure = ~((up | stay) & (s.in | s.not_in | stay)) & all;
   unsure = ((unsure | unsure >> 1) | (up & up >> 1 & ~(s.other | s.not_other))) & left;
   for (uint32_t k = 0; k < GROUP; k++)
-    action[k] = table[(up >> 2 * k & 3) | (in >> 2 * k & 3) << 2 | (s.other >> 2 * k & 1) << 4];
+    action[k] = table[(up >> 2 * k & 3) | (s.in >> 2 * k & 3) << 2 | (s.other >> 2 * k & 1) << 4];
   if (UNLIKELY(unsure))
     for (uint32_t k = 0; k < GROUP; k++)
       if (unsure >> 2 * k & 1) action[k] = (uint8_t)decide(m, c, first / 2 + k);
@@ -195,7 +195,7 @@ static void begin(const Bulk *m, Climb *c, uint32_t k, const BulkRise *r)
     if (r->h[s] != NONE) {
       c->has |= 1u << i;
       look(m, c, i, r->h[s]);
-    } else c->x[i] = c->zx[i] = p[0], c->y[i] = c->zy[i] = p[1];
+    } else c->x[i] = c->zx[i] = p[0], c->y[i] = c->zy[i] = p[1], c->out[i] = 0;
   }
 }
 
@@ -219,7 +219,7 @@ static NOINLINE int change(Bulk *m, Climb *c, uint32_t k)
 
 void bulk_climb(Bulk *m)
 {
-  _Alignas(64) Climb c = {.none = 0};
+  _Alignas(64) Climb c = {.has = 0};
   memset(c.node, 0xff, sizeof c.node);
   int merges = 0;
   do
@@ -228,8 +228,9 @@ void bulk_climb(Bulk *m)
       choose(m, &c, first, action);
       for (uint32_t k = 0; k < GROUP; k++) {
         const uint32_t a = action[k], i = first + 2 * k + (a & 1);
-        if (UNLIKELY(a == STOP)) merges += change(m, &c, first / 2 + k);
-        else if (a & 2) peel(m, &c, i), c.flips++;
+        if (UNLIKELY(a == STOP)) {
+          if (m->waiting || c.node[first / 2 + k] != NONE) merges += change(m, &c, first / 2 + k);
+        } else if (a & 2) peel(m, &c, i), c.flips++;
         else go(m, &c, i), c.triangles++;
       }
     }
