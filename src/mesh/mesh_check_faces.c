@@ -1,4 +1,4 @@
-// mesh_check_faces.c - the audit: orientation of elements, area and Euler characteristic of each face
+// mesh_check_faces.c - the audit: orientation of elements and Euler characteristic of each face
 // SPDX-License-Identifier: MIT
 //
 // A plane face is looked at along the axis nearest to its normal: dropping a coordinate keeps collinearity and the side of a
@@ -10,29 +10,8 @@
 #include "geom/predicates.h"
 #include "mesh/mesh_measure.h"
 
-typedef struct {
-  uint32_t entity, first, last;  // blocks first .. last-1
-  int i, j;                      // coordinates kept
-  int sign;                      // of the normal along the one dropped
-  bool plane;
-  size_t bad;                    // half-edges without a proper twin
-} Face;
-
-// Sum with the rounding errors carried along (Neumaier): its error is a few units in the last place of the sum of |terms|.
-typedef struct {
-  double sum, low, size;
-} Sum;
-
-static void sum_add(Sum *s, double x)
-{
-  double t = s->sum + x;
-  s->low += fabs(s->sum) >= fabs(x) ? (s->sum - t) + x : (x - t) + s->sum;
-  s->sum = t;
-  s->size += fabs(x);
-}
-
 // Sign of the face's normal along z, by the majority of a sample.
-static int turn_in_xy(const Mesh *m, const Face *f)
+static int turn_in_xy(const Mesh *m, const CheckedFace *f)
 {
   enum { SAMPLE = 255 };
   int sum = 0;
@@ -47,7 +26,7 @@ static int turn_in_xy(const Mesh *m, const Face *f)
 }
 
 // A face is plane if no corner is farther from its plane than 1e-6 of its size: then no fold can hide in the projection.
-static void look_at(Check *c, Face *f)
+static void look_at(Check *c, CheckedFace *f)
 {
   const Mesh *m = c->m;
   bool flat = true;
@@ -56,7 +35,7 @@ static void look_at(Check *c, Face *f)
     for (size_t i = 0; flat && i < m->block[b].n * (size_t)elem_nodes(m->block[b].type); i++)
       flat = m->xyz[3 * (size_t)m->block[b].node[i] + 2] == z;
   if (flat) {
-    *f = (Face){f->entity, f->first, f->last, 0, 1, turn_in_xy(m, f), true, 0};
+    *f = (CheckedFace){f->entity, f->first, f->last, 0, 1, turn_in_xy(m, f), true, 0};
     return;
   }
   Vec3 n = mesh_area_vector(m, f->entity);
@@ -79,13 +58,7 @@ static void look_at(Check *c, Face *f)
   f->plane = off <= 1e-6 * size;
 }
 
-static void project(const Check *c, const Face *f, uint32_t node, double p[2])
-{
-  p[0] = c->m->xyz[3 * (size_t)node + (size_t)f->i];
-  p[1] = c->m->xyz[3 * (size_t)node + (size_t)f->j];
-}
-
-static void check_element(Check *c, const Face *f, uint32_t b, size_t i, double p[4][2], int corners)
+static void check_element(Check *c, const CheckedFace *f, uint32_t b, size_t i, double p[4][2], int corners)
 {
   const MeshBlock *k = &c->m->block[b];
   int worst = 1;
@@ -105,7 +78,7 @@ static void check_element(Check *c, const Face *f, uint32_t b, size_t i, double 
 }
 
 // Orientation of the elements, and the sum of their projected areas.
-static void check_elements(Check *c, const Face *f, Sum *area)
+static void check_elements(Check *c, const CheckedFace *f, CompensatedSum *area)
 {
   for (uint32_t b = f->first; b < f->last; b++) {
     const MeshBlock *k = &c->m->block[b];
@@ -113,18 +86,18 @@ static void check_elements(Check *c, const Face *f, Sum *area)
     for (size_t i = 0; i < k->n; i++) {
       double p[4][2];
       const uint32_t *v = k->node + i * (size_t)nodes;
-      for (int a = 0; a < corners; a++) project(c, f, v[a], p[a]);
+      for (int a = 0; a < corners; a++) check__project(c, f, v[a], p[a]);
       check_element(c, f, b, i, p, corners);
       const double *q = p[corners - 1];
       double t = (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]);
       if (corners == 4) t += (p[2][0] - p[0][0]) * (q[1] - p[0][1]) - (p[2][1] - p[0][1]) * (q[0] - p[0][0]);
-      sum_add(area, t / 2);
+      check__sum_add(area, t / 2);
     }
   }
 }
 
 // Elements of a face that is not plane: only that they are not flat.
-static void check_flat(Check *c, const Face *f)
+static void check_flat(Check *c, const CheckedFace *f)
 {
   for (uint32_t b = f->first; b < f->last; b++)
     for (size_t i = 0; i < c->m->block[b].n; i++)
@@ -143,92 +116,6 @@ static int times_listed(const MeshEntity *f, int curve, int *sign)
       *sign += f->boundary.data[i] < 0 ? -1 : 1;
     }
   return n;
-}
-
-// True if every bounding curve is known and has line elements, so that the boundary can be asked for.
-static bool boundary_known(const Check *c, uint32_t face)
-{
-  const MeshEntity *f = &c->m->entity[face];
-  for (size_t i = 0; i < f->boundary.len; i++) {
-    uint32_t e = mesh_find_entity(c->m, 1, abs(f->boundary.data[i]));
-    if (e == NONE || !c->curve_lines[e]) return false;
-  }
-  return f->boundary.len > 0;
-}
-
-// Blocks of an entity: the first, and one past the last.
-static void blocks_of(const Mesh *m, uint32_t entity, uint32_t *first, uint32_t *last)
-{
-  uint32_t lo = 0, hi = (uint32_t)m->nblock;
-  while (lo < hi) {
-    uint32_t mid = lo + (hi - lo) / 2;
-    if (m->block[mid].entity < entity)
-      lo = mid + 1;
-    else
-      hi = mid;
-  }
-  for (*first = hi = lo; hi < m->nblock && m->block[hi].entity == entity;) hi++;
-  *last = hi;
-}
-
-// What Green's formula about `origin` gives for the line elements of a curve, run backwards if sign < 0.
-static void add_curve(const Check *c, const Face *f, uint32_t curve, int sign, const double origin[2], Sum *area)
-{
-  const Mesh *m = c->m;
-  uint32_t b, last;
-  blocks_of(m, curve, &b, &last);
-  for (; b < last; b++) {
-    const MeshBlock *k = &m->block[b];
-    for (size_t i = 0; i < k->n; i++) {
-      const uint32_t *v = k->node + i * (size_t)elem_nodes(k->type);
-      double p[2], q[2];
-      project(c, f, v[0], p);
-      project(c, f, v[1], q);
-      double t = (p[0] - origin[0]) * (q[1] - origin[1]) - (p[1] - origin[1]) * (q[0] - origin[0]);
-      sum_add(area, sign * t / 2);
-    }
-  }
-}
-
-// The area within the line elements of the bounding curves: that of the largest loop less the others, since holes may be run
-// either way and be listed first. Loops follow each other in the list; one ends where it comes back to its beginning.
-static void add_polygon(const Check *c, const Face *f, const double origin[2], Sum *area)
-{
-  const MeshEntity *e = &c->m->entity[f->entity];
-  double largest = 0;
-  int start = 0;
-  Sum loop = {0, 0, 0};
-  for (size_t i = 0; i < e->boundary.len; i++) {
-    int tag = e->boundary.data[i], sign = tag < 0 ? -1 : 1;
-    uint32_t curve = mesh_find_entity(c->m, 1, abs(tag));
-    const IntVec *ends = &c->m->entity[curve].boundary;
-    int begin = ends->len ? abs(ends->data[0]) : 0, end = ends->len ? abs(ends->data[ends->len - 1]) : 0;
-    if (!start) start = sign > 0 ? begin : end;
-    add_curve(c, f, curve, sign, origin, &loop);
-    if ((sign > 0 ? end : begin) != start && i + 1 < e->boundary.len) continue;
-    double a = fabs(loop.sum + loop.low);
-    sum_add(area, -a);
-    area->size += loop.size;
-    largest = fmax(largest, a);
-    loop = (Sum){0, 0, 0};
-    start = 0;
-  }
-  sum_add(area, largest);
-  sum_add(area, largest);
-}
-
-static void check_area(Check *c, const Face *f, const Sum *elements, const double origin[2])
-{
-  if (!boundary_known(c, f->entity)) return;
-  Sum polygon = {0, 0, 0};
-  add_polygon(c, f, origin, &polygon);
-  double a = fabs(elements->sum + elements->low), b = fabs(polygon.sum + polygon.low);
-  // Each term is right to a few ulps of the products in it: those of elements are of the order of their area, except for
-  // slivers; those of the polygon of the order of distance times edge. 1e-12 leaves room for slivers of aspect 1000.
-  double tolerance = 1e-12 * fmax(elements->size, polygon.size);
-  if (fabs(a - b) > tolerance)
-    check__report(c, RULE_AREA, false, f->entity, NONE, 0, NONE, (Vec3){NAN, NAN, NAN},
-                  "its elements add up to %.17g, its boundary encloses %.17g", a, b);
 }
 
 // ---- Euler characteristic ---------------------------------------------------------------------------------------------------
@@ -280,7 +167,32 @@ static size_t curve_cycles(const Check *c, const MeshEntity *f)
   return n;
 }
 
-static void check_euler(Check *c, Face *f, uint32_t *stamp)
+// Pieces of the face: elements that hang together by common nodes, or by common edges.
+static long pieces(const Check *c, const CheckedFace *f, bool by_nodes)
+{
+  const Mesh *m = c->m;
+  size_t begin = c->edges.base[f->first], n = c->edges.base[f->last] - begin, at = 0;
+  Map first = {0}; // node -> a half-edge that leaves it
+  U32Vec pair = {0}; // of half-edges: those of an element, of an edge, of a node
+  for (uint32_t b = f->first; b < f->last; b++) {
+    const MeshBlock *k = &m->block[b];
+    size_t corners = (size_t)elem_corners(k->type), nodes = (size_t)elem_nodes(k->type);
+    for (size_t i = 0; i < k->n * corners; i++, at++) {
+      size_t h = at, o = i % corners ? at - 1 : at + corners - 1, twin = c->edges.twin[begin + at];
+      vec_push(&pair, (uint32_t)h), vec_push(&pair, (uint32_t)o);
+      if (twin < EDGE_BAD) vec_push(&pair, (uint32_t)h), vec_push(&pair, (uint32_t)(twin - begin));
+      if (!by_nodes) continue;
+      uint32_t *seen = map_slot(&first, k->node[i / corners * nodes + i % corners], (uint32_t)h, NULL);
+      vec_push(&pair, (uint32_t)h), vec_push(&pair, *seen);
+    }
+  }
+  long joined = (long)(pair.len / 2) - (long)cycles(&pair, n);
+  vec_free(&pair);
+  map_free(&first);
+  return (long)n - joined;
+}
+
+static void check_euler(Check *c, CheckedFace *f, uint32_t *stamp)
 {
   const Mesh *m = c->m;
   long v = 0, e = 0, n = 0;
@@ -320,11 +232,10 @@ static void check_euler(Check *c, Face *f, uint32_t *stamp)
     check__report(c, RULE_EULER, false, f->entity, NONE, 0, NONE, nowhere,
                   "its elements have %zu boundary cycles, its curves %zu", loops, wanted);
   long chi = v - e + n;
-  // Not strict: the face may be of several parts, each of which adds 2.
-  bool good = c->strict ? chi == 2 - (long)loops : (chi + (long)loops) % 2 == 0 || !f->plane;
-  if (!good && f->plane)
+  // Of one piece: 2 - loops. Of several, or of some that meet in a point: what lies between the cycles, and in how many components.
+  if (f->plane && chi != 2 - (long)loops && chi != pieces(c, f, true) + pieces(c, f, false) - (long)loops)
     check__report(c, RULE_EULER, false, f->entity, NONE, 0, NONE, nowhere,
-                  "V - E + F = %ld - %ld + %ld = %ld with %zu boundary cycles: it is not in one piece", v, e, n, chi, loops);
+                  "V - E + F = %ld - %ld + %ld = %ld does not go with %zu boundary cycles", v, e, n, chi, loops);
 }
 
 void check__faces(Check *c)
@@ -338,14 +249,14 @@ void check__faces(Check *c)
   for (uint32_t b = 0, end; b < m->nblock; b = end) {
     for (end = b + 1; end < m->nblock && m->block[end].entity == m->block[b].entity;) end++;
     if (elem_dim(m->block[b].type) != 2 || !m->block[b].n) continue;
-    Face f = {.entity = m->block[b].entity, .first = b, .last = end};
-    Sum area = {0, 0, 0};
+    CheckedFace f = {.entity = m->block[b].entity, .first = b, .last = end};
+    CompensatedSum area = {0, 0, 0};
     double origin[2];
     look_at(c, &f);
-    project(c, &f, m->block[b].node[0], origin);
+    check__project(c, &f, m->block[b].node[0], origin);
     if (f.plane) {
       check_elements(c, &f, &area);
-      check_area(c, &f, &area, origin);
+      check__area(c, &f, &area, origin);
     } else {
       check_flat(c, &f);
     }

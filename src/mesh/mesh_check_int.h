@@ -21,9 +21,39 @@ typedef struct {
   MeshEdges edges;
 } Check;
 
+// A face that is looked at.
+typedef struct {
+  uint32_t entity, first, last;  // blocks first .. last-1
+  int i, j;                      // coordinates kept
+  int sign;                      // of the normal along the one dropped
+  bool plane;
+  size_t bad;                    // half-edges without a proper twin
+} CheckedFace;
+
+// Sum with the rounding errors carried along (Neumaier): its error is a few units in the last place of the sum of |terms|.
+typedef struct {
+  double sum, low, size;
+} CompensatedSum;
+
+static inline void check__sum_add(CompensatedSum *s, double x)
+{
+  double t = s->sum + x;
+  s->low += fabs(s->sum) >= fabs(x) ? (s->sum - t) + x : (x - t) + s->sum;
+  s->sum = t;
+  s->size += fabs(x);
+}
+
+static inline void check__project(const Check *c, const CheckedFace *f, uint32_t node, double p[2])
+{
+  p[0] = c->m->xyz[3 * (size_t)node + (size_t)f->i];
+  p[1] = c->m->xyz[3 * (size_t)node + (size_t)f->j];
+}
+
 // Add a finding. element: index within the block, or SIZE_MAX; entity or node may be NONE.
 void check__report(Check *c, MeshRule rule, bool warning, uint32_t entity, uint32_t block, size_t element, uint32_t node,
                    Vec3 at, const char *fmt, ...) PRINTF_LIKE(9, 10);
+// The area that the elements of a plane face add up to against that which its curves enclose. origin: near the face, in its plane.
+void check__area(Check *c, const CheckedFace *f, const CompensatedSum *elements, const double origin[2]);
 void check__faces(Check *c);      // orientation, area, Euler characteristic
 void check__conformity(Check *c); // edges, lost edges, holes, T-junctions
 

@@ -1,0 +1,106 @@
+# degenerate_faces.sh - faces that touch themselves, of several parts, with slits, islands and embedded entities, by every strategy
+. "$(dirname "$0")/lib.sh"
+
+# all_ways NAME LEAST MOST: NAME.geo meshed by every algorithm, with a smallest angle and as quadrangles; audited, and of an area within
+all_ways() {
+  local how
+  for how in "-algo meshadapt" "-algo del2d" "-algo front2d" "-algo delquad" "-algo pack" "-min_angle 25" "-quad"; do
+    # shellcheck disable=SC2086
+    check "$1 $how" "$MESHGEN" -2 "$1.geo" $how -require "area>$2" -require "area<$3" -no_report -o "$1.msh"
+  done
+}
+
+# holes that touch each other and the boundary in a point
+cat >touch.geo <<'END'
+Point(1) = {0, 0, 0, 0.2}; Point(2) = {4, 0, 0, 0.2}; Point(3) = {4, 2, 0, 0.2}; Point(4) = {0, 2, 0, 0.2};
+Point(5) = {2, 1, 0, 0.2}; Point(6) = {1, 0.5, 0, 0.2}; Point(7) = {1, 1.5, 0, 0.2};
+Point(8) = {3, 0.5, 0, 0.2}; Point(9) = {3, 1.5, 0, 0.2}; Point(10) = {0.5, 1.6, 0, 0.2}; Point(11) = {0.3, 1.2, 0, 0.2};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Line(5) = {5, 6}; Line(6) = {6, 7}; Line(7) = {7, 5};
+Line(8) = {5, 8}; Line(9) = {8, 9}; Line(10) = {9, 5};
+Line(11) = {4, 10}; Line(12) = {10, 11}; Line(13) = {11, 4};
+Curve Loop(1) = {1, 2, 3, 4}; Curve Loop(2) = {5, 6, 7}; Curve Loop(3) = {8, 9, 10}; Curve Loop(4) = {11, 12, 13};
+Plane Surface(1) = {1, 2, 3, 4};
+END
+all_ways touch 6.859999999 6.860000001
+
+# a loop that runs along a slit and back
+cat >slit.geo <<'END'
+Point(1) = {0, 0, 0, 0.2}; Point(2) = {2, 0, 0, 0.2}; Point(3) = {2, 2, 0, 0.2}; Point(4) = {0, 2, 0, 0.2}; Point(5) = {1, 1, 0, 0.05}; Point(6) = {1, 0, 0, 0.2};
+Line(1) = {1, 6}; Line(2) = {6, 2}; Line(3) = {2, 3}; Line(4) = {3, 4}; Line(5) = {4, 1}; Line(6) = {6, 5};
+Curve Loop(1) = {1, 6, -6, 2, 3, 4, 5};
+Plane Surface(1) = {1};
+END
+all_ways slit 3.999999999 4.000000001
+
+# faces within holes of faces
+cat >islands.geo <<'END'
+SetFactory("Built-in");
+h = 0.3;
+Macro Square
+ p = newp; Point(p) = {x-r, y-r, 0, h}; Point(p+1) = {x+r, y-r, 0, h}; Point(p+2) = {x+r, y+r, 0, h}; Point(p+3) = {x-r, y+r, 0, h};
+ l = newl; Line(l) = {p, p+1}; Line(l+1) = {p+1, p+2}; Line(l+2) = {p+2, p+3}; Line(l+3) = {p+3, p};
+ ll = newll; Curve Loop(ll) = {l:l+3};
+Return
+x = 0;y = 0;
+r = 4; Call Square; a = ll;
+r = 3; Call Square; b = ll;
+r = 2; Call Square; c = ll;
+r = 1; Call Square; d = ll;
+Plane Surface(1) = {a, b};
+Plane Surface(2) = {b, c};
+Plane Surface(3) = {c, d};
+Plane Surface(4) = {d};
+END
+all_ways islands 63.999999999 64.000000001
+
+# a loop that touches itself
+cat >eight.geo <<'END'
+h = 0.2;
+Point(1) = {0, 0, 0, h}; Point(2) = {-1, -1, 0, h}; Point(3) = {-1, 1, 0, h}; Point(4) = {1, -1, 0, h}; Point(5) = {1, 1, 0, h};
+Line(1) = {1, 3}; Line(2) = {3, 2}; Line(3) = {2, 1}; Line(4) = {1, 4}; Line(5) = {4, 5}; Line(6) = {5, 1};
+Curve Loop(1) = {1, 2, 3, 4, 5, 6};
+Plane Surface(1) = {1};
+END
+all_ways eight 1.999999999 2.000000001
+
+# lobes run opposite ways, and a hole at the point where they meet
+cat >pinch.geo <<'END'
+h = 0.2;
+Point(1) = {0, 0, 0, h}; Point(2) = {-1, -1, 0, h}; Point(3) = {-1, 1, 0, h}; Point(4) = {1, -1, 0, h}; Point(5) = {1, 1, 0, h};
+Line(1) = {1, 3}; Line(2) = {3, 2}; Line(3) = {2, 1}; Line(4) = {1, 5}; Line(5) = {5, 4}; Line(6) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4, 5, 6};
+Point(6) = {0.6, -0.3, 0, h}; Point(7) = {0.6, 0.3, 0, h};
+Line(7) = {1, 6}; Line(8) = {6, 7}; Line(9) = {7, 1};
+Curve Loop(2) = {7, 8, 9};
+Plane Surface(1) = {1, 2};
+END
+all_ways pinch 1.819999999 1.820000001
+
+# one surface of two separate squares
+cat >two.geo <<'END'
+h = 0.3;
+Point(1) = {0, 0, 0, h}; Point(2) = {1, 0, 0, h}; Point(3) = {1, 1, 0, h}; Point(4) = {0, 1, 0, h};
+Point(5) = {3, 0, 0, h}; Point(6) = {4, 0, 0, h}; Point(7) = {4, 1, 0, h}; Point(8) = {3, 1, 0, h};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1}; Line(5) = {5, 6}; Line(6) = {6, 7}; Line(7) = {7, 8}; Line(8) = {8, 5};
+Curve Loop(1) = {1, 2, 3, 4};Curve Loop(2) = {5, 6, 7, 8};
+Plane Surface(1) = {1, 2};
+END
+all_ways two 1.999999999 2.000000001
+
+# embedded points and curves: crossing, ending on the boundary, closed
+cat >emb.geo <<'END'
+h = 0.3;
+Point(1) = {0, 0, 0, h}; Point(2) = {4, 0, 0, h}; Point(3) = {4, 4, 0, h}; Point(4) = {0, 4, 0, h};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4};
+Plane Surface(1) = {1};
+Point(5) = {0.5, 3.5, 0, 0.02}; Point{5} In Surface{1};
+Point(6) = {1, 1, 0, h}; Point(7) = {3, 3, 0, h}; Point(8) = {1, 3, 0, h}; Point(9) = {3, 1, 0, h};
+Line(5) = {6, 7}; Line(6) = {8, 9}; Line(7) = {1, 6};
+Line{5, 6, 7} In Surface{1};
+Point(10) = {3.5, 2, 0, h}; Point(11) = {3.6, 2, 0, 0.05}; Point(12) = {3.4, 2, 0, 0.05};
+Circle(8) = {11, 10, 12};Circle(9) = {12, 10, 11};
+Line{8, 9} In Surface{1};
+END
+all_ways emb 15.999999999 16.000000001
