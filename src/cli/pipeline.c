@@ -45,8 +45,15 @@ static void replace_mesh(Job *j, Mesh *mesh)
   j->node_size = NULL;
 }
 
+// Curves must be there to place nodes on them.
+static void make_curves_ready(Job *j)
+{
+  if (model_needs_prepare(j->model)) model_prepare(j->model, j->options.Geometry_Tolerance, j->diag);
+}
+
 static void set_order(Job *j, int order)
 {
+  make_curves_ready(j);
   HighOrder how = {.order = order, .incomplete = j->options.Mesh_SecondOrderIncomplete, .linear = j->options.Mesh_SecondOrderLinear};
   HighOrderReport r;
   stage_begin(&j->stats, "high order");
@@ -59,6 +66,7 @@ static void set_order(Job *j, int order)
 
 static void subdivide(Job *j, Subdivision how)
 {
+  make_curves_ready(j);
   stage_begin(&j->stats, "subdivide");
   replace_mesh(j, mesh_subdivide(j->mesh, how, j->options.Mesh_SecondOrderLinear ? NULL : j->model));
   stage_end(&j->stats);

@@ -13,9 +13,13 @@
 
 // ---- rules --------------------------------------------------------------------------------------------------------------
 
+// Meshed as part of another curve.
+static bool is_follower(const Curve *c) { return c && c->joined && c->joined != c->tag; }
+
 static CurveRule rule_of(const Mesher1d *d, const Curve *c)
 {
-  double length = c->degenerate || c->dissolved ? 0 : curve_length(d->m, c);
+  bool none = c->degenerate || c->dissolved || is_follower(c);
+  double length = none ? 0 : curve_length(d->m, c);
   if (!(length > 0) || length <= d->opt->Mesh_ToleranceEdgeLength) return RULE_NONE;
   if (c->copy_of || c->periodic_master) return RULE_COPY;
   if (c->extruded_point && c->layers.n > 0) return RULE_LAYERS;
@@ -44,10 +48,11 @@ static void raise_least_counts(Mesher1d *d)
     const Face *f = model_face_at(d->m, k);
     for (int i = 0; i < f->nloop; i++) {
       const Loop *loop = model_loop(d->m, f->loop[i]);
-      if (!loop || loop->ncurve > 2) continue;
-      for (int j = 0; j < loop->ncurve; j++) {
+      int n = 0;
+      for (int j = 0; loop && j < loop->ncurve; j++) n += !is_follower(model_curve(d->m, loop->curve[j]));
+      for (int j = 0; n <= 2 && loop && j < loop->ncurve; j++) {
         uint32_t c = mesh1d_index(d->g, loop->curve[j]);
-        if (c != NONE) d->work[c].least = MAX(d->work[c].least, loop->ncurve == 1 ? 3u : 2u);
+        if (c != NONE) d->work[c].least = MAX(d->work[c].least, n == 1 ? 3u : 2u);
       }
     }
   }
@@ -386,8 +391,8 @@ uint32_t mesh1d_split(Mesh1d *g, size_t k, uint32_t i, double u)
 {
   CurveMesh *cm = &g->curve[k];
   const Curve *c = model_curve_at(g->model, k);
-  if (u < 0) u = c->type == CURVE_LINE || c->type == CURVE_CIRCLE ? (cm->u[i] + cm->u[i + 1]) / 2
-                                                                  : half_way(g->model, c, cm->u[i], cm->u[i + 1]);
+  bool even = !c->joined && (c->type == CURVE_LINE || c->type == CURVE_CIRCLE);
+  if (u < 0) u = even ? (cm->u[i] + cm->u[i + 1]) / 2 : half_way(g->model, c, cm->u[i], cm->u[i + 1]);
   double t = (u - cm->u[i]) / (cm->u[i + 1] - cm->u[i]), h = cm->h[i] + t * (cm->h[i + 1] - cm->h[i]);
   mesh1d__resize(cm, cm->n + 1);
   uint32_t after = cm->n - 2 - i; // nodes behind the new one

@@ -121,7 +121,7 @@ static bool share_a_face(const Untangler *t, uint32_t a, uint32_t b)
 // through the other, which bounds it.
 static bool may_split(const Untangler *t, uint32_t a, uint32_t b, SegMeet how)
 {
-  if (!t->meet) return false;
+  if (!t->meet || model_curve_at(t->g->model, a)->joined || model_curve_at(t->g->model, b)->joined) return false;
   if (t->opt->Mesh_Heal) return true;
   if (how == SEG_OVERLAP) return false;
   if (meet_in_list(&t->bounds_of[a], &t->bounds_of[b])) return false;

@@ -249,7 +249,7 @@ void mesh1d__grade_all(Mesher1d *d, double slope)
 // Cells to begin with: enough to see a field's details of 1/64 of the curve, as Gmsh does, and the pieces of splines.
 static size_t first_cells(const Along *a)
 {
-  size_t n = a->straight ? 1 : a->c->type == CURVE_CIRCLE ? 2 : a->c->type == CURVE_ELLIPSE ? 4 : (size_t)MAX(a->c->npoint - 1, 2);
+  size_t n = a->straight ? 1 : a->c->joined ? 16 : a->c->type == CURVE_CIRCLE ? 2 : a->c->type == CURVE_ELLIPSE ? 4 : (size_t)MAX(a->c->npoint - 1, 2);
   return size_has_field(a->d->size) ? MAX(n, (size_t)16) : n;
 }
 
@@ -272,6 +272,7 @@ static bool grows_too_fast(const Along *a, const Integral *q, double slope)
 static uint32_t least_segments(const Mesher1d *d, const Curve *c)
 {
   const Options *o = d->opt;
+  if (c->joined) return 1;
   switch (c->type) {
   case CURVE_LINE:
   case CURVE_POLYLINE: return (uint32_t)MAX(o->Mesh_MinimumLineNodes - 1, 1);

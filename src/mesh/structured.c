@@ -397,11 +397,26 @@ static bool fill_triangle(const Patch *p, FaceMesh *out)
   return refuse(p, "its cells would be folded");
 }
 
+// What is inside the face has no place in a grid: named, so that the user can say which of the two is meant.
+static bool refuse_embedded(const Patch *p)
+{
+  const IntVec *point = &p->f->embedded_points, *curve = &p->f->embedded_curves;
+  char why[120];
+  size_t n = point->len + curve->len;
+  const char *kind = curve->len ? "curve" : "point";
+  int first = curve->len ? curve->data[0] : point->data[0];
+  if (n == 1)
+    snprintf(why, sizeof why, "%s %d is embedded in it", kind, abs(first));
+  else
+    snprintf(why, sizeof why, "%s %d and %zu more points and curves are embedded in it", kind, abs(first), n - 1);
+  return refuse(p, why);
+}
+
 bool structured_face(const Mesh2dInput *in, const Face *f, const EdgeNodes *en, FaceMesh *out, Diag *diag)
 {
   if (!f->transfinite) return false;
   Patch p = {.in = in, .f = f, .en = en, .diag = diag};
-  if (f->embedded_points.len || f->embedded_curves.len) return refuse(&p, "points or curves are embedded in it");
+  if (f->embedded_points.len || f->embedded_curves.len) return refuse_embedded(&p);
   bool good = face_loop_make(&p.loop, in, f, en, f->type == FACE_FILLING);
   if (!good) refuse(&p, "it has holes");
   good = good && p.loop.node.len >= 3 && find_corners(&p) && match_sides(&p);

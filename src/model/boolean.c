@@ -406,7 +406,7 @@ bool model_boolean(Model *m, BooleanOp op, const BooleanSide *object, const Bool
                    Diag *diag)
 {
   static const char *const words[] = {"BooleanUnion", "BooleanIntersection", "BooleanDifference", "BooleanFragments"};
-  if (m->moved.len) model__restore_points(m);
+  model__unprepare(m);
   Boolean b = {.m = m, .op = op, .loc = loc, .diag = diag};
   bool good = take(&b, object->shape, object->n, false, object->drop, words[op]) &&
               take(&b, tool->shape, tool->n, true, tool->drop, words[op]);

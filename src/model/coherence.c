@@ -624,7 +624,7 @@ void model__merge(Model *m, Merged *report)
 
 void model_coherence(Model *m, Diag *diag)
 {
-  if (m->moved.len) model__restore_points(m);
+  model__unprepare(m);
   Merged g = {0};
   model__merge(m, &g);
   size_t n = g.gone[0].len + g.gone[1].len + g.gone[2].len;

@@ -28,11 +28,11 @@ static bool in_some_group(const Model *m, int dim, int tag)
   return false;
 }
 
-static bool same_groups(const Model *m, int a, int b)
+bool model__same_groups(const Model *m, int dim, int a, int b)
 {
   for (size_t i = 0; i < model_groups(m); i++) {
     const Group *g = model_group_at(m, i);
-    if (g->dim == 2 && is_member(g, a) != is_member(g, b)) return false;
+    if (g->dim == dim && is_member(g, a) != is_member(g, b)) return false;
   }
   return true;
 }
@@ -52,7 +52,7 @@ static bool may_dissolve(const Model *m, const Between *b, double tolerance)
   const Curve *c = b->curve;
   Face *f = b->face[0], *g = b->face[1];
   return b->uses == 2 && f != g && f->compound == g->compound && may_unite(f) && may_unite(g) && !f->recombine == !g->recombine &&
-         f->algorithm == g->algorithm && same_plane(f, g, tolerance) && same_groups(m, f->tag, g->tag) &&
+         f->algorithm == g->algorithm && same_plane(f, g, tolerance) && model__same_groups(m, 2, f->tag, g->tag) &&
          vec3_dot(f->normal, g->normal) > 0 && !in_some_group(m, 1, c->tag);
 }
 

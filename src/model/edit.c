@@ -180,7 +180,7 @@ static const char *curve_word(CurveType t)
 
 int model_add_point(Model *m, int tag, Vec3 xyz, double lc, SrcLoc loc, Diag *diag)
 {
-  if (m->moved.len) model__restore_points(m);
+  model__unprepare(m);
   tag = tag__claim(m, KIND_POINT, tag, loc, diag);
   if (tag < 0) return -1;
   if (!isfinite(xyz.x) || !isfinite(xyz.y) || !isfinite(xyz.z)) {

@@ -363,7 +363,7 @@ static Layers keep_layers(Model *m, const Layers *l, double unit)
 
 bool model_extrude(Model *m, const Shape *shape, size_t n, const Sweep *sweep, ShapeVec *out, SrcLoc loc, Diag *diag)
 {
-  if (m->moved.len) model__restore_points(m);
+  model__unprepare(m);
   if (!sweep_is_good(sweep, loc, diag)) return false;
   bool vector = sweep->translate || sweep->rotate;
   Job j = {.m = m, .sweep = sweep, .loc = loc, .full = part_of(sweep, 1)};

@@ -11,7 +11,10 @@ static void push_loop(const Model *m, int loop, bool outer, IntVec *curve)
   const Loop *l = model_loop(m, loop);
   if (!l) return;
   bool forward = outer == (loop >= 0);
-  for (int i = 0; i < l->ncurve; i++) vec_push(curve, forward ? l->curve[i] : -l->curve[l->ncurve - 1 - i]);
+  for (int i = 0; i < l->ncurve; i++) {
+    int tag = forward ? l->curve[i] : -l->curve[l->ncurve - 1 - i], joined = m->joint.len ? model_curve(m, tag)->joined : 0;
+    if (!joined || joined == tag__abs(tag)) vec_push(curve, tag);
+  }
 }
 
 void face_boundary(const Model *m, const Face *f, IntVec *curve, IntVec *start)

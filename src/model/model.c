@@ -44,6 +44,7 @@ static void release_contents(Model *m)
   vec_free(&m->name);
   vec_free(&m->pending_loop);
   vec_free(&m->moved);
+  vec_free(&m->joint);
   map_free(&m->refused);
   model__index_free(m);
   arena_free(&m->arena);

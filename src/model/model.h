@@ -95,6 +95,8 @@ typedef struct {
   bool reverse_mesh;      // Reverse Curve
   bool degenerate;        // Degenerated Curve
   bool dissolved;         // between two faces of a Compound Surface: has no mesh (made by model_prepare)
+  int joined;             // tag of the curve that this one is meshed with as one (Compound Curve), its own if it is that curve, which then
+                          // runs from end to end of the chain; or 0
   void *shape;            // evaluation data of curve_*.c, made by model_prepare
   uint32_t uses, in_loops; // by faces, by loops
 } Curve;
@@ -167,6 +169,8 @@ void model_free(Model *m);
 // arcs that are none, ...) are reported with the statement's place. tolerance: Geometry.Tolerance. Returns false if there
 // was an error. O(n log n). May be called again after further changes.
 bool model_prepare(Model *m, double tolerance, Diag *diag);
+// Has an edit since then taken away what curves of a Compound Curve are evaluated with?
+bool model_needs_prepare(const Model *m);
 
 // ---- reading ------------------------------------------------------------------------------------------------------
 // All entities of a kind in ascending order of tag: n and the k-th. Pointers stay valid until the next change of the model.

@@ -66,6 +66,10 @@ typedef struct {
 } MovedPoint;
 
 typedef struct {
+  int tag, begin, end;      // its own ends
+} JoinedCurve;
+
+typedef struct {
   int dim, tag;
   char *name;
 } EntityName;
@@ -97,6 +101,8 @@ struct Model {
   bool cell_on, curve_on, face_on;
   size_t nembedded, ncorners; // faces that have them
   bool boolean_noted;       // the user was told of the numbers of what Boolean operations make
+  Vec(JoinedCurve) joint;   // curves that lead a chain while prepared
+  bool parted;              // there were some, and an edit came
   Vec(MovedPoint) moved;    // points that stand at the start of a closed curve while prepared; their own places
 };
 
@@ -117,6 +123,13 @@ static inline Kind dim__kind(int dim)
   return k[dim];
 }
 void model__restore_points(Model *m);
+void model__part_curves(Model *m); // undo model__join_curves; curves that led have no shape until they are prepared again
+// Take back what preparing did to points and curves, if it did anything: edits see the model as it was written.
+static inline void model__unprepare(Model *m)
+{
+  if (m->joint.len) model__part_curves(m);
+  if (m->moved.len) model__restore_points(m);
+}
 
 int model__next_tag(const Model *m, Kind k); // of what a statement makes by itself: model_new_tag, but for OpenCASCADE
 int tag__claim(Model *m, Kind k, int tag, SrcLoc loc, Diag *diag); // the tag to use, or -1 after an error
@@ -182,6 +195,12 @@ const PolarSphere *sphere__of_points(const Model *m, const int *point, int n); /
 // compound.c: set Face.united and Curve.dissolved. Plane faces of one compound and one plane are united across curves that bound nothing
 // else and are in no group, if they are in the same groups. tolerance: Geometry.Tolerance. O(curves * groups), if there are compounds.
 void model__unite_faces(Model *m, double tolerance, Diag *diag);
+
+bool model__same_groups(const Model *m, int dim, int a, int b); // are both in the same groups of that dimension?
+
+// compound_curve.c: set Curve.joined, and make the leaders' shapes, ends and parameters those of their chains: curves of a Compound Curve whose
+// common points bound nothing else, are needed by nothing, and that are in the same groups. O(curves * groups), if there are compounds.
+void model__join_curves(Model *m, Diag *diag);
 
 // face_plane.c
 bool face__build(Model *m, Face *f, double tolerance, Diag *diag);

@@ -38,7 +38,7 @@ static int face_of(Model *m, int tag, const int *curve, int n, SrcLoc loc)
 
 int model_add_rectangle(Model *m, int tag, Vec3 o, double dx, double dy, double radius, SrcLoc loc, Diag *diag)
 {
-  if (m->moved.len) model__restore_points(m);
+  model__unprepare(m);
   tag = tag__claim(m, KIND_FACE, tag == -1 ? model__next_tag(m, KIND_FACE) : tag, loc, diag);
   if (tag < 0) return -1;
   double r = fabs(radius);
@@ -85,7 +85,7 @@ int model_add_disk(Model *m, int tag, Vec3 centre, double rx, double ry, SrcLoc 
 
 int model_add_arc(Model *m, int tag, Vec3 centre, double rx, double ry, double from, double to, SrcLoc loc, Diag *diag)
 {
-  if (m->moved.len) model__restore_points(m);
+  model__unprepare(m);
   tag = tag__claim(m, KIND_CURVE, tag == -1 ? model__next_tag(m, KIND_CURVE) : tag, loc, diag);
   if (tag < 0) return -1;
   if (!(rx > 0) || !(ry > 0) || !isfinite(rx + ry + centre.x + centre.y + centre.z + from + to)) {

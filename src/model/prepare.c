@@ -312,16 +312,20 @@ static void prepare_group(Model *m, Group *g, Diag *diag)
   map_free(&seen);
 }
 
+bool model_needs_prepare(const Model *m) { return m->parted; }
+
 bool model_prepare(Model *m, double tolerance, Diag *diag)
 {
-  model__restore_points(m);
   (void)model_points(m); // sort all tables now: readers may be many
   (void)model_volumes(m);
+  model__unprepare(m);
   bool good = prepare_loops(m, diag);
   good &= prepare_curves(m, diag);
   good &= prepare_faces(m, tolerance, diag);
   check_periodic(m, diag);
   for (size_t i = 0; i < model_groups(m); i++) prepare_group(m, model_group_at(m, i), diag);
   if (good) model__unite_faces(m, tolerance, diag);
+  if (good) model__join_curves(m, diag);
+  m->parted = false;
   return good;
 }

@@ -143,7 +143,7 @@ static Box3 shape_box(Model *m, Shape s)
 
 void model_in_box(Model *m, int dim, Box3 box, IntVec *out)
 {
-  if (m->moved.len) model__restore_points(m);
+  model__unprepare(m);
   IntVec all = {0};
   model_all(m, dim, &all);
   for (size_t i = 0; i < all.len; i++) {
@@ -157,7 +157,7 @@ void model_in_box(Model *m, int dim, Box3 box, IntVec *out)
 
 bool model_box_of(Model *m, const Shape *shape, size_t n, Box3 *box, SrcLoc loc, Diag *diag)
 {
-  if (m->moved.len) model__restore_points(m);
+  model__unprepare(m);
   *box = box3_empty();
   for (size_t i = 0; i < n; i++) {
     if (!exists(m, shape[i], "bounding box", loc, diag)) return false;

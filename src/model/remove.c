@@ -71,7 +71,7 @@ static void delete_volume(Model *m, int tag, bool recursive)
 
 void model_delete(Model *m, const Shape *shape, size_t n, bool recursive)
 {
-  if (m->moved.len) model__restore_points(m);
+  model__unprepare(m);
   for (size_t i = 0; i < n; i++) {
     int tag = tag__abs(shape[i].tag);
     if (shape[i].dim == 0) delete_point(m, tag);

@@ -103,7 +103,7 @@ static void put_part(Model *m, const Curve *c, int from, int to, IntVec *run, In
 
 bool model_split_curve(Model *m, int tag, const int *point, size_t n, IntVec *out, SrcLoc loc, Diag *diag)
 {
-  if (m->moved.len) model__restore_points(m);
+  model__unprepare(m);
   tag = tag__abs(tag);
   Curve *c = model_curve(m, tag);
   if (!c) {

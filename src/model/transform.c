@@ -198,7 +198,7 @@ static bool is_finite(const Affine *a)
 
 bool model_transform(Model *m, const Shape *shape, size_t n, const Affine *a, SrcLoc loc, Diag *diag)
 {
-  if (m->moved.len) model__restore_points(m);
+  model__unprepare(m);
   if (!is_finite(a)) {
     diag_error(diag, loc, "this transformation has no finite coefficients (an axis or a normal of length 0?)");
     return false;
@@ -385,7 +385,7 @@ static int copy_volume(Model *m, int tag, SrcLoc loc)
 
 bool model_duplicate(Model *m, const Shape *shape, size_t n, ShapeVec *out, SrcLoc loc, Diag *diag)
 {
-  if (m->moved.len) model__restore_points(m);
+  model__unprepare(m);
   if (!shapes_exist(m, shape, n, "copy", loc, diag)) return false;
   for (size_t i = 0; i < n; i++) {
     Shape s = shape[i];

@@ -133,11 +133,7 @@ void run_compound(Script *s, const Node *n)
   IntVec tags = {0};
   int faults = s->faults;
   eval_ints(s, n->kid[0], n->op, &tags);
-  if (n->op < 3 && s->faults == faults) {
-    model_set_compound(s->model, n->op, tags.data, tags.len, n->loc, s->diag);
-    if (n->op == 1)
-      diag_warning(s->diag, n->loc, "Compound: the curves are meshed one by one, and the points between them stay in the mesh");
-  }
+  if (n->op < 3 && s->faults == faults) model_set_compound(s->model, n->op, tags.data, tags.len, n->loc, s->diag);
   vec_free(&tags);
 }
 

@@ -68,7 +68,7 @@ void size__add_curve(Nearest *n, const Model *m, uint32_t k)
   const Curve *c = model_curve_at(m, k);
   if (curve_is_straight(m, c)) {
     nearest_add(n, curve_point(m, c, 0), curve_point(m, c, 1), 0, k, 0, 1);
-  } else if (c->type == CURVE_POLYLINE) {
+  } else if (c->type == CURVE_POLYLINE && !c->joined) {
     for (int i = 0; i + 1 < c->npoint; i++) {
       double u0 = (double)i / (c->npoint - 1), u1 = (double)(i + 1) / (c->npoint - 1);
       nearest_add(n, curve_point(m, c, u0), curve_point(m, c, u1), 0, k, u0, u1);

@@ -25,7 +25,7 @@ Curve Loop(2)={11:13};Plane Surface(2)={1,2};Delete{Surface{1};} Transfinite Sur
 says "it has holes" "a face with holes is no grid"
 name="a point in a grid"
 mesh "$square Transfinite Curve{1:4}=6;Transfinite Surface{1};Point(9)={.31,.43,0,.05};Point{9} In Surface{1};"
-says "embedded in it" "a grid has no place for embedded points"
+says "point 9 is embedded in it" "a grid has no place for embedded points"
 name="a corner that is none"
 mesh "$square Point(9)={.5,.5,0,.1};Transfinite Surface{1}={1,2,3,9};"
 says "is not on its boundary" "corners must lie on the boundary"
@@ -129,6 +129,34 @@ name="a curve in a group"
 mesh "$strips Physical Curve(7)={9};" -save_all
 check "stays" awk '/^\$Elements/ { on = 1 } on && $2 == 1 && $5 == 9 { n++ } END { exit !(n > 4) }' a.msh
 check "as edges of the mesh" "$MESHGEN" check a.msh
+
+# ---- compound curves ----
+wall='Point(1)={0,0,0,.3};Point(2)={.55,0,0,.3};Point(3)={1,.1,0,.3};Point(4)={1.7,0,0,.3};Point(5)={2,0,0,.3};Point(6)={2,1,0,.3};
+Point(7)={0,1,0,.3};Line(1)={1,2};Spline(2)={4,3,2};Line(3)={4,5};Line(4)={5,6};Line(5)={6,7};Line(6)={7,1};
+Curve Loop(1)={1,-2,3:6};Plane Surface(1)={1};Compound Curve{1,2,3};'
+lines_of() { awk -v curve="$1" '/^\$Elements/ { on = 1 } on && $2 == 1 && $5 == curve { n++ } END { print n + 0 }' a.msh; }
+name="three curves meshed as one"
+mesh "$wall"
+check "all on the curve of least number" [ "$(lines_of 1) $(lines_of 2) $(lines_of 3)" = "7 0 0" ]
+check "their points are in no triangle" awk '/^\$Elements/ { on = 1 } on && $2 == 2 && ($6 <= 4 && $6 >= 2 || $7 <= 4 && $7 >= 2 || $8 <= 4 && $8 >= 2) { exit 1 }' a.msh
+check "the mesh passes the audit" "$MESHGEN" check a.msh
+name="groups of their own"
+mesh "$wall Physical Curve(1)={1};Physical Curve(2)={2,3};Physical Surface(3)={1};"
+check "keep the point between them" [ "$(lines_of 1) $(lines_of 2) $(lines_of 3)" = "2 5 0" ]
+says "curve 1 of a compound is meshed on its own" "and that is said"
+name="a ring of forty lines"
+mesh 'n=40; For i In {0:n-1} t=2*Pi*i/n; Point(i+1)={Cos(t),Sin(t),0,.3}; EndFor For i In {1:n} Line(i)={i,i%n+1}; EndFor
+Curve Loop(1)={1:n};Plane Surface(1)={1};Compound Curve{1:n};'
+check "closes on itself" [ "$(lines_of 1)" = 21 ]
+name="afterwards"
+area_of_all() { # AREA TOLERANCE: by the shoelace formula
+  awk -v want="$1" -v tol="$2" '/^\$Nodes/ { getline; for (n = $1; n > 0; n--) { getline; x[$1] = $2; y[$1] = $3 } } /^\$Elements/ { on = 1 }
+    on && $2 == 2 { s += (x[$7] - x[$6]) * (y[$8] - y[$6]) - (x[$8] - x[$6]) * (y[$7] - y[$6]) } END { s /= 2; exit !(s > want - tol && s < want + tol) }' a.msh
+}
+mesh "$wall Mesh 2; Point(8)={1,.5,0,.3}; RefineMesh;"
+check "the script may refine the mesh" area_of_all 1.93547 2e-2
+mesh "$wall Mesh 2; RefineMesh; Point(8)={1,.5,0,.3}; Point{8} In Surface{1}; Mesh 2;"
+check "the script may go on" [ "$(lines_of 1) $(lines_of 2)" = "7 0" ]
 
 # ---- subdivision and order ----
 name="all quadrangles"

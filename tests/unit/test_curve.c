@@ -292,6 +292,50 @@ static void closed_bspline(void **state)
   teardown(&f);
 }
 
+// A line, an arc, a spline run backwards and a line, led by the arc: everywhere where the curves themselves are, until the next edit.
+static void a_chain(void **state)
+{
+  (void)state;
+  Fix f = {model_new(), diag_new(false)};
+  static const Vec3 p[] = {{-2, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 1, 0}, {-.5, 2, .3}, {-1, 1, 0}, {-2, 3, 0}};
+  for (size_t i = 0; i < ARRAY_LEN(p); i++) model_add_point(f.m, (int)i + 1, p[i], 0, NO_LOC, f.d);
+  ADD(&f, CURVE_CIRCLE, 1, 2, 3, 4);
+  ADD(&f, CURVE_LINE, 2, 1, 2);
+  ADD(&f, CURVE_SPLINE, 3, 6, 5, 4);
+  ADD(&f, CURVE_LINE, 4, 6, 7);
+  assert_true(model_prepare(f.m, 1e-8, f.d));
+  enum { N = 101 };
+  static const int run[4] = {2, 1, -3, 4};
+  Vec3 at[4 * N];
+  double length[4], total = 0;
+  for (int k = 0; k < 4; k++) {
+    const Curve *c = model_curve(f.m, run[k]);
+    total += length[k] = curve_length(f.m, c);
+    for (int i = 0; i < N; i++) at[k * N + i] = curve_point(f.m, c, run[k] < 0 ? 1 - (double)i / (N - 1) : (double)i / (N - 1));
+  }
+  assert_true(model_set_compound(f.m, 1, (int[]){1, 2, 3, 4}, 4, NO_LOC, f.d));
+  assert_true(model_prepare(f.m, 1e-8, f.d));
+  const Curve *c = model_curve(f.m, 1);
+  assert_int_equal(c->begin, 1);
+  assert_int_equal(c->end, 7);
+  assert_int_equal(model_curve(f.m, 3)->joined, 1);
+  assert_true(fabs(curve_length(f.m, c) - total) < 1e-11);
+  double from = 0;
+  for (int k = 0; k < 4; from += length[k++] / total)
+    for (int i = 0; i < N; i++) {
+      double u = from + length[k] / total * i / (N - 1);
+      assert_true(vec3_distance(curve_point(f.m, c, u), at[k * N + i]) < 1e-12);
+      assert_true(vec3_distance(curve_point(f.m, c, curve_nearest(f.m, c, at[k * N + i])), at[k * N + i]) < 1e-9);
+    }
+  model_add_point(f.m, 8, (Vec3){5, 5, 0}, 0, NO_LOC, f.d);
+  model_add_curve(f.m, CURVE_LINE, 5, (int[]){4, 8}, 2, NULL, NULL, 0, NO_LOC, f.d); // now something else ends at the arc's end
+  assert_true(model_prepare(f.m, 1e-8, f.d));
+  assert_int_equal(c->begin, 1);
+  assert_int_equal(c->end, 4);
+  assert_int_equal(model_curve(f.m, 4)->joined, 3);
+  teardown(&f);
+}
+
 static void arcs_that_are_none(void **state)
 {
   (void)state;
@@ -321,7 +365,8 @@ int main(void)
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(positions_as_measured), cmocka_unit_test(ends_are_the_points), cmocka_unit_test(derivatives),
     cmocka_unit_test(lengths),               cmocka_unit_test(boxes),               cmocka_unit_test(nearest),
-    cmocka_unit_test(straight),              cmocka_unit_test(closed_bspline),      cmocka_unit_test(arcs_that_are_none),
+    cmocka_unit_test(straight),              cmocka_unit_test(closed_bspline),      cmocka_unit_test(a_chain),
+      cmocka_unit_test(arcs_that_are_none),
   };
   return unit_run(tests);
 }

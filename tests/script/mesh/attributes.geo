@@ -30,7 +30,7 @@ Surface{1} In Surface{1};                        // expect error: only points an
 Periodic Curve{1} = {-3}; Periodic Line{1} = {-3} Translate{0, -1, 0};
 Periodic Curve{2} = {4} Rotate{{0,0,1}, {0,0,0}, Pi};
 Periodic Curve{1, 2} = {3};                      // expect error: 2 periodic entities, but 1 masters
-Compound Curve{1, 2};                            // expect warning: Compound: the curves are meshed one by one
+Compound Curve{1, 2};
 Compound Surface{1};
 Hide { Line{1}; } Show "*"; Hide {:} Color Red { Surface{1}; } Color {255, 0, 0} { Line{1}; } Recursive Hide { Surface{1}; }
 Hide "*"; Show { Point{1}; };
