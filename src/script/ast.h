@@ -68,8 +68,8 @@
   X(VIEW_ITEM)   /* text = ST, SL, ...: coordinates values */                                   \
   X(CONSTANTS)   /* DefineConstant: CONSTANT_ITEM... */                                         \
   X(CONSTANT_ITEM)/* op = 1 for l[]: target [value] [name] [read-only] */                       \
-  X(STRUCT)      /* op = 1 append: name STRUCT_ITEM... */                                       \
-  X(STRUCT_ITEM) /* text = member: value */                                                     \
+  X(STRUCT)      /* also a value, its number; op = STRUCT_ flags: name STRUCT_ITEM... */        \
+  X(STRUCT_ITEM) /* text = member: [value] */                                                   \
   X(COMMAND)     /* word = Save Merge Include Mesh ...: argument... */                          \
   X(BLOCK)       /* statement... */                                                             \
   X(FOR)         /* [name] from to [step] BLOCK */                                              \
@@ -86,6 +86,7 @@ typedef enum {
 } NodeKind;
 
 enum { NODE_IS_LIST = 1, LIST_PHYSICAL = 2, FAULT_REPORTED = 4 };
+enum { STRUCT_APPEND = 1, STRUCT_ENUM = 2 };
 
 typedef struct Node Node;
 struct Node {

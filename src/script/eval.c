@@ -170,6 +170,7 @@ double eval_number(Script *s, const Node *n)
     return option_number(s, n);
   case NODE_MEMBER: return variable_value(s, script__word(s, n), n->loc);
   case NODE_SCOPED: return n->op ? struct_list_number(s, n) : variable_value(s, script__word(s, n), n->loc);
+  case NODE_STRUCT: return struct_value(s, n);
   case NODE_POSTFIX: return postfix_value(s, n);
   case NODE_PARAMETER: return n->op ? text_as_number(s, n) : parameter_value(s, n);
   case NODE_FIELD_OPTION: return field_get_number(s->fields, eval_int(s, n->kid[0]), n->text);
@@ -294,12 +295,22 @@ static void binary_list(Script *s, const Node *n, DoubleVec *out)
   script__give(s, b);
 }
 
-// Point{n} gives coordinates, Curve{:} all tags, Physical Curve{n} the members of groups.
+static void group_tags(const Script *s, int dim, IntVec *out)
+{
+  for (size_t k = 0; k < model_groups(s->model); k++) {
+    const Group *g = model_group_at(s->model, k);
+    if (g->dim == dim) vec_push(out, g->tag);
+  }
+}
+
+// Point{n} gives coordinates, Curve{:} all tags, Physical Curve{n} the members of groups, Physical Curve{:} their tags.
 static void entities_list(Script *s, const Node *n, DoubleVec *out)
 {
   IntVec tags = {0};
   int dim = n->op;
-  if (n->flags & LIST_PHYSICAL) {
+  if ((n->flags & LIST_PHYSICAL) && n->kid[0]->kind == NODE_ALL) {
+    group_tags(s, dim, &tags);
+  } else if (n->flags & LIST_PHYSICAL) {
     IntVec group = {0};
     eval_ints(s, n->kid[0], -1, &group);
     for (size_t i = 0; i < group.len; i++)

@@ -135,6 +135,7 @@ ScriptEnd run_source(Script *s, const char *name, char *text, size_t len, SrcLoc
 void run_assign(Script *s, const Node *n);
 void run_constants(Script *s, const Node *n);
 void run_struct(Script *s, const Node *n);
+double struct_value(Script *s, const Node *n); // the same as a value: its number
 void run_option(Script *s, const Node *n);
 void run_print(Script *s, const Node *n);
 void run_define(Script *s, const Node *n);

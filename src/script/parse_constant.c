@@ -109,36 +109,49 @@ static bool append_mark(Token t)
          (t.len == 22 && !memcmp(t.start, "AppendToExistingStruct", 22));
 }
 
-// struct -> "Struct" name "[" [struct_item ("," struct_item)...] "]" ";"
-// struct_item -> MEMBER (expr | list) | ("Append" | "AppendToExistingStruct") [number]
+// struct_item -> MEMBER (expr | list) | ("Append" | "AppendToExistingStruct") [number] | "Enum" | MEMBER
+//
+// A member without value only after "Enum". Returns what the item adds to the structure's STRUCT_ flags.
+static int parse_struct_item(Parser *p, int so_far)
+{
+  if (p->tok.kind != TOK_WORD) parse__expected(p, "the name of a member or ']'");
+  Token key = parse__advance(p);
+  bool bare = parse__at(p, ',') || parse__at(p, ']');
+  if (append_mark(key)) {
+    Node *on = bare ? NULL : parse__number(p);
+    return !on || on->kind != NODE_NUMBER || on->number != 0 ? STRUCT_APPEND : 0;
+  }
+  if (bare && key.len == 4 && !memcmp(key.start, "Enum", 4)) return STRUCT_ENUM;
+  if ((bare && !(so_far & STRUCT_ENUM)) || parse__at(p, '='))
+    parse__expected(p, "the value of this member, as in 'a 1'");
+  Node *item = parse__node1(p, NODE_STRUCT_ITEM, key.loc, bare ? NULL : parse__list(p));
+  item->text = parse__text(p, key);
+  parse__push(p, item);
+  return 0;
+}
+
+// struct -> "Struct" name ["(" "Append" ")"] "[" [struct_item ("," struct_item)...] "]"
 Node *parse__struct(Parser *p)
 {
   Token t = parse__advance(p);
   size_t base = p->stack.len;
-  Node *name = parse__name(p);
-  parse__push(p, name);
+  int flags = 0;
+  parse__push(p, parse__name(p));
+  if (parse__accept(p, '(')) {
+    if (p->tok.kind != TOK_WORD || !append_mark(p->tok)) parse__expected(p, "'Append'");
+    parse__advance(p);
+    parse__expect(p, ')', "')'");
+    flags = STRUCT_APPEND;
+  }
   parse__expect(p, '[', "'['");
   parse__open(p);
-  bool append = false;
   while (!parse__at(p, ']')) {
-    if (p->tok.kind != TOK_WORD) parse__expected(p, "the name of a member or ']'");
-    Token key = parse__advance(p);
-    bool bare = parse__at(p, ',') || parse__at(p, ']');
-    if (append_mark(key)) {
-      Node *on = bare ? NULL : parse__number(p);
-      append = !on || on->kind != NODE_NUMBER || on->number != 0;
-    } else {
-      if (bare || parse__at(p, '=')) parse__expected(p, "the value of this member, as in 'a 1'");
-      Node *item = parse__node1(p, NODE_STRUCT_ITEM, key.loc, parse__list(p));
-      item->text = parse__text(p, key);
-      parse__push(p, item);
-    }
+    flags |= parse_struct_item(p, flags);
     if (!parse__accept(p, ',')) break;
   }
   parse__expect(p, ']', "',' or ']'");
   parse__close(p);
-  parse__semicolon(p);
   Node *n = parse__collect(p, NODE_STRUCT, t.loc, base);
-  n->op = append;
+  n->op = (uint16_t)flags;
   return n;
 }

@@ -315,7 +315,11 @@ static Node *parse_keyword(Parser *p)
   case KW_BoundaryLayer: return parse__background(p);
   case KW_Plugin: return parse__plugin(p);
   case KW_DefineConstant: return parse__define_constant(p);
-  case KW_Struct: return parse__struct(p);
+  case KW_Struct: {
+    Node *n = parse__struct(p);
+    parse__semicolon(p);
+    return n;
+  }
   case KW_StringToName: return parse_assignment(p);
   case KW_Call: return parse_call(p);
   case KW_SetMaxTag: return parse__set_max_tag(p);
@@ -388,7 +392,7 @@ static Node *parse_merge_mark(Parser *p)
 }
 
 // statement -> definition | physical | embed | compound | transfinite | mesh_set | mesh_size | periodic
-//             | delete | visibility | coherence | field | background | view | plugin | define_constant | struct
+//             | delete | visibility | coherence | field | background | view | plugin | define_constant | struct ";"
 //             | print | command | macro_call | set_max_tag | assignment | transform | extrude | boundary
 //             | boolean | split ";" | for | if | macro | "Return"
 Node *parse__statement(Parser *p)

@@ -408,6 +408,9 @@ static Node *parse_word(Parser *p)
   case KW_DefineString: return parse_parameter(p);
   case KW_Field: return parse_field_option(p);
   case KW_StringToName: return parse_variable(p);
+  case KW_Struct:
+    if (parse__peek(p).kind == TOK_WORD) return parse__struct(p);
+    break;
   case KW_DimNameSpace:
   case KW_NameStruct:
     if (is_open(parse__peek(p).kind)) return parse_struct_list(p);
@@ -419,7 +422,8 @@ static Node *parse_word(Parser *p)
 }
 
 // primary -> NUMBER | STRING | CONSTANT | variable | call | length | entities | transform | extrude
-//           | boundary | boolean | split | parameter_value | struct_list | "(" expr ")" | "{" items "}" | vector
+//           | boundary | boolean | split | parameter_value | struct_list | struct | "(" expr ")" | "{" items "}"
+//           | vector
 Node *parse__primary(Parser *p)
 {
   Token t = p->tok;

@@ -81,13 +81,26 @@ static Variable *make(Script *s, const char *text, SrcLoc loc)
   return NULL;
 }
 
+// The hidden member ".": what the next member of an enumeration is worth.
+static void set_scalar(Script *s, const char *text, double value, SrcLoc loc)
+{
+  Variable *v = make(s, text, loc);
+  if (v) variable__set_scalar(s, v, value);
+}
+
 static void set_member(Script *s, const char *name, const Node *item)
 {
   const Node *value = item->kid[0];
-  const char *text = printed(s, name, ".", item->text);
-  const Variable *old = struct_find(s, text);
-  if (old) {
+  const char *text = printed(s, name, ".", item->text), *counter = printed(s, name, ".", "");
+  if (struct_find(s, text)) {
     script__error(s, item->loc, "the member '%s' of this Struct exists already", item->text);
+    return;
+  }
+  if (!value) {
+    const Variable *last = struct_find(s, counter);
+    double next = last ? last->value : 0;
+    set_scalar(s, text, next, item->loc);
+    set_scalar(s, counter, next + 1, item->loc);
     return;
   }
   if (eval_is_text(s, value)) {
@@ -102,28 +115,48 @@ static void set_member(Script *s, const char *name, const Node *item)
   DoubleVec *values = script__take(s);
   eval_list(s, value, values);
   Variable *v = make(s, text, item->loc);
-  if (v && !node_is_list(value) && values->len == 1)
+  if (v && !node_is_list(value) && values->len == 1) {
     variable__set_scalar(s, v, values->data[0]);
-  else if (v)
+    set_scalar(s, counter, values->data[0] + 1, item->loc);
+  } else if (v) {
     variable__set_list(s, v, values->data, values->len, item->loc);
+  }
   script__give(s, values);
 }
 
-// Enter a new structure in its name space.
-static bool enter(Script *s, const Node *name, const char *marker)
+// Enter a new structure in its name space, whose variable has the names as texts and the last number as value.
+// The structure's number is that plus one, or its member Tag; it is the value of `marker` and of the member.
+static bool enter(Script *s, const Node *n, const char *path, const char *marker)
 {
+  const Node *name = n->kid[0];
   bool scoped = name->kind == NODE_SCOPED;
   Variable *list = make(s, printed(s, scoped ? space_text(s, name->word) : "", "::", ""), name->loc);
   if (!list) return false;
   TextVec names = {0};
   for (uint32_t i = 0; i < list->ntext; i++) vec_push(&names, arena_strdup(&s->temp, list->text[i]));
   vec_push(&names, script__name_text(s, scoped ? name->kid[0] : name));
-  bool ok = script__charge(s, names.len, name->loc);
-  if (ok) variable__set_texts(s, list, names.data, names.len, true);
-  Variable *v = ok ? make(s, marker, name->loc) : NULL; // may move `list`
-  if (v) variable__set_scalar(s, v, (double)names.len);
+  double number = list->kind == VAR_SCALAR ? list->value + 1 : 1;
+  bool ok = script__charge(s, names.len, name->loc), given = false;
+  for (uint32_t i = 1; i < n->n; i++) {
+    const Node *item = n->kid[i];
+    if (strcmp(item->text, "Tag") != 0 || !item->kid[0]) continue;
+    number = eval_number(s, item->kid[0]), given = true;
+  }
+  const char *space = printed(s, scoped ? space_text(s, name->word) : "", "::", "");
+  list = make(s, space, name->loc); // evaluation may have moved it
+  ok = ok && list;
+  if (ok) variable__set_scalar(s, list, number), variable__set_texts(s, list, names.data, names.len, true);
   vec_free(&names);
-  return v;
+  if (ok) set_scalar(s, marker, number, name->loc);
+  if (ok && !given) set_scalar(s, printed(s, path, ".", "Tag"), number, name->loc);
+  return ok;
+}
+
+double struct_value(Script *s, const Node *n)
+{
+  run_struct(s, n);
+  const Variable *number = struct_find(s, struct_name_text(s, n->kid[0]));
+  return number ? number->value : 0;
 }
 
 void run_struct(Script *s, const Node *n)
@@ -132,11 +165,11 @@ void run_struct(Script *s, const Node *n)
   const char *marker = struct_name_text(s, name);
   const char *path = name->kind == NODE_SCOPED ? marker : script__name_text(s, name);
   bool known = struct_find(s, marker);
-  if (known && !n->op) {
-    script__error(s, n->loc, "the Struct '%s' exists already; to add members, write Struct %s [ Append, ... ];",
+  if (known && !(n->op & STRUCT_APPEND)) {
+    script__error(s, n->loc, "the Struct '%s' exists already; to add members, write Struct %s (Append) [ ... ];",
                   path, path);
     return;
   }
-  if (!known && !enter(s, name, marker)) return;
+  if (!known && !enter(s, n, path, marker)) return;
   for (uint32_t i = 1; i < n->n; i++) set_member(s, path, n->kid[i]);
 }

@@ -45,3 +45,12 @@ Printf(NameStruct[NS::#3]);                             // expect error: there i
 Printf("%g", S.name);                                   // expect error: is a text
 Struct B [ a = 1 ];                                     // expect error: expected the value of this member
 Struct B [ a ];                                         // expect error: expected the value of this member
+// Numbers: given, counted on from the last, as values; enumerations; members added in parentheses.
+Struct U::A [ a 1 ];
+Struct U::B [ a 1, Tag 10 ];
+n = Struct U::C [ a 1 ];
+Printf("%g %g %g %g %g", U::A.Tag, U::B.Tag, U::B, n, DimNameSpace[U]); // expect: 1 10 10 11 3
+Struct U::E [ Enum, NONE, PHYS, SKIN 10, GATE ];
+Struct U::E (Append) [ Enum, CUT ];
+Printf("%g %g %g %g %g", U::E.NONE, U::E.PHYS, U::E.SKIN, U::E.GATE, U::E.CUT); // expect: 0 1 10 11 12
+Struct U::E (Add) [ Enum, X ];                          // expect error: expected 'Append'
