@@ -7,11 +7,12 @@
 // ---- parameters ---------------------------------------------
 
 // After the value: ["," ATTRIBUTE (number | text | "{" .. "}")]... close. Only Name and ReadOnly are kept.
-Node *parse__parameter_tail(Parser *p, Node *value, NodeKind kind, Node *target, SrcLoc loc, int close)
+// `comma`: the first comma has been read.
+static Node *parameter_tail(Parser *p, Node *value, NodeKind kind, Node *target, SrcLoc loc, int close, bool comma)
 {
   Node *name = NULL, *read_only = NULL;
-  while (p->tok.kind != close && !(close == ']' && parse__at(p, ')'))) {
-    parse__expect(p, ',', close == '}' ? "',' or '}'" : "',' or ']'");
+  for (; p->tok.kind != close && !(close == ']' && parse__at(p, ')')); comma = false) {
+    if (!comma) parse__expect(p, ',', close == '}' ? "',' or '}'" : "',' or ']'");
     if (p->tok.kind != TOK_WORD) parse__expected(p, "an attribute such as Name or Min");
     Token key = parse__advance(p);
     if (parse__at(p, '{')) { // Choices{1="one", 2}, GmshOption.. : any balanced text
@@ -37,7 +38,51 @@ Node *parse__parameter_tail(Parser *p, Node *value, NodeKind kind, Node *target,
   return parse__collect(p, kind, loc, base);
 }
 
-// constant -> name ["[" "]"] ["=" (expr | "{" expr ["," ATTRIBUTE value]... "}")]
+Node *parse__parameter_tail(Parser *p, Node *value, SrcLoc loc)
+{
+  return parameter_tail(p, value, NODE_PARAMETER, NULL, loc, ']', false);
+}
+
+// Is this word an attribute, or the next member of the list? A variable is followed by an operator, a comma or a bracket;
+// attributes whose value may begin with a bracket or a sign are known by name.
+static bool at_attribute(Parser *p)
+{
+  static const char *const names[] = {"Min", "Max", "Step", "Name", "ReadOnly", "Visible", "Label", "AutoCheck"};
+  if (p->tok.kind != TOK_WORD) return false;
+  int next = parse__peek(p).kind;
+  if (next == TOK_STRING || next == TOK_NUMBER || next == TOK_WORD || next == '{') return true;
+  if (next == '[' || next == '.') return false;
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+    if (p->tok.len == strlen(names[i]) && !memcmp(p->tok.start, names[i], p->tok.len)) return next != '(' || i >= 3;
+  return false;
+}
+
+// The value in braces: a list in braces, or members up to the first attribute.
+static Node *parse_constant_value(Parser *p, Node *target, SrcLoc loc, bool list)
+{
+  parse__advance(p);
+  parse__open(p);
+  Token first = p->tok;
+  Node *value = NULL;
+  bool comma = false, braces = parse__at(p, '{');
+  size_t base = p->stack.len;
+  if (!parse__at(p, '}') && !at_attribute(p)) {
+    parse__push(p, parse__expr(p));
+    while (!braces && !comma && parse__accept(p, ',')) {
+      comma = at_attribute(p);
+      if (!comma) parse__push(p, parse__expr(p));
+    }
+    bool one = p->stack.len == base + 1 && (braces || !list);
+    value = one ? p->stack.data[base] : parse__collect(p, NODE_LIST, first.loc, base);
+    if (one) p->stack.len = base;
+    if (!one) value->flags = NODE_IS_LIST;
+  }
+  Node *n = parameter_tail(p, value, NODE_CONSTANT_ITEM, target, loc, '}', comma);
+  parse__close(p);
+  return n;
+}
+
+// constant -> name ["[" "]"] ["=" (expr | "{" [list | expr ("," expr)...] ["," ATTRIBUTE value]... "}")]
 static Node *parse_constant_item(Parser *p)
 {
   Token t = p->tok;
@@ -48,31 +93,11 @@ static Node *parse_constant_item(Parser *p)
     if (!parse__accept(p, ']')) parse__expect(p, ')', "']'");
   }
   bool braced = parse__accept(p, '=') && parse__at(p, '{');
-  bool nested = braced && parse__peek(p).kind == '{';
-  if (braced && (nested || !list)) {
-    parse__advance(p);
-    parse__open(p);
-    Token first = p->tok;
-    if (!parse__at(p, '}')) value = parse__expr(p);
-    if (!nested && !list && parse__at(p, ',')) { // {1, 2}: a list without attributes, {1, Name ".."}: with
-      size_t base = p->stack.len;
-      parse__push(p, value);
-      while (parse__at(p, ',') && parse__peek(p).kind != TOK_WORD) {
-        parse__advance(p);
-        parse__push(p, parse__expr(p));
-      }
-      if (p->stack.len > base + 1) {
-        value = parse__collect(p, NODE_LIST, first.loc, base);
-        value->flags = NODE_IS_LIST;
-      } else {
-        p->stack.len = base;
-      }
-    }
-    n = parse__parameter_tail(p, value, NODE_CONSTANT_ITEM, target, t.loc, '}');
-    parse__close(p);
+  if (braced) {
+    n = parse_constant_value(p, target, t.loc, list);
   } else {
     if (p->tok.kind != ',' && p->tok.kind != ']' && p->tok.kind != ')' &&
-        (braced || p->tok.kind != TOK_WORD || p->last_end.line == p->tok.loc.line))
+        (p->tok.kind != TOK_WORD || p->last_end.line == p->tok.loc.line))
       value = parse__expr(p);
     size_t base = p->stack.len;
     parse__push(p, target);

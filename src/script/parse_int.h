@@ -44,7 +44,7 @@ Node *parse__braces(Parser *p, bool all); // {a, b, ...}; {:} too if `all`
 Node *parse__name(Parser *p);             // identifier, name~{..}, StringToName[..]
 Node *parse__command(Parser *p);          // Translate.. Extrude.. Boundary.. or NULL if none begins here
 Node *parse__shapes(Parser *p);           // { Point{..}; ... }
-Node *parse__parameter_tail(Parser *p, Node *value, NodeKind kind, Node *target, SrcLoc loc, int close);
+Node *parse__parameter_tail(Parser *p, Node *value, SrcLoc loc);
 Node *parse__statement(Parser *p);       // one statement with its ';'; fails through p->on_error
 Node *parse__block_statement(Parser *p); // For, If or Macro, the next token
 Node *parse__define_constant(Parser *p);

@@ -286,7 +286,7 @@ static Node *parse_parameter(Parser *p)
   Token t = parse__advance(p);
   expect_open(p);
   Node *value = parse__expr(p);
-  Node *n = parse__parameter_tail(p, value, NODE_PARAMETER, NULL, t.loc, ']');
+  Node *n = parse__parameter_tail(p, value, t.loc);
   parse__close(p);
   n->op = t.word == KW_DefineString;
   return n;
