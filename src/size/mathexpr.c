@@ -11,6 +11,7 @@
 #include "base/map.h"
 #include "base/mem.h"
 #include "base/number.h"
+#include "size/trig.h"
 
 typedef enum {
   OP_CONST, OP_INPUT, // x, y, z are inputs 0, 1, 2; fields follow
@@ -34,11 +35,11 @@ typedef struct {
 typedef struct {
   Op op;
   uint32_t to, a, b; // operand places: inputs first, then registers
-  double value;
 } Instr;
 
 struct Expr {
   Vec(Instr) code;
+  DoubleVec number; // constants: the first registers
   IntVec field;
   uint32_t nreg;
   uint32_t result; // operand place
@@ -297,7 +298,8 @@ static uint32_t parse(Builder *b)
 
 // ---- registers ------------------------------------------------------------------------------------------------------------------
 
-// Nodes needed for the result, in their order, which is one of evaluation; a register is free again after its last use.
+// Nodes needed for the result, in their order, which is one of evaluation. Constants have the first registers for good; another one is
+// free again after its last use.
 static void generate(Builder *b, uint32_t root, Expr *e)
 {
   size_t n = b->node.len;
@@ -313,21 +315,21 @@ static void generate(Builder *b, uint32_t root, Expr *e)
   }
   for (size_t i = 0; i < n; i++) {
     const ExprNode *x = &b->node.data[i];
-    if (!last[i]) continue;
-    if (x->op == OP_INPUT) {
-      place[i] = x->a;
-      continue;
-    }
-    Instr in = {x->op, 0, 0, 0, x->value};
+    if (x->op == OP_INPUT) place[i] = x->a;
+    if (x->op != OP_CONST || !last[i]) continue;
+    place[i] = ninput + e->nreg++;
+    vec_push(&e->number, x->value);
+  }
+  uint32_t reusable = ninput + e->nreg;
+  for (size_t i = 0; i < n; i++) {
+    const ExprNode *x = &b->node.data[i];
+    if (!last[i] || x->op == OP_INPUT || x->op == OP_CONST) continue;
+    Instr in = {x->op, 0, place[x->a], is_binary(x->op) ? place[x->b] : 0};
     // The target is chosen before operands are freed: loops may then assume that it is none of them.
     in.to = spare.len ? vec_pop(&spare) : ninput + e->nreg++;
     place[i] = in.to;
-    if (x->op != OP_CONST) {
-      in.a = place[x->a];
-      in.b = is_binary(x->op) ? place[x->b] : 0;
-      if (last[x->a] == i + 1 && in.a >= ninput) vec_push(&spare, in.a);
-      if (is_binary(x->op) && x->b != x->a && last[x->b] == i + 1 && in.b >= ninput) vec_push(&spare, in.b);
-    }
+    if (last[x->a] == i + 1 && in.a >= reusable) vec_push(&spare, in.a);
+    if (is_binary(x->op) && x->b != x->a && last[x->b] == i + 1 && in.b >= reusable) vec_push(&spare, in.b);
     vec_push(&e->code, in);
   }
   e->result = place[root];
@@ -362,6 +364,7 @@ void expr_free(Expr *e)
 {
   if (!e) return;
   vec_free(&e->code);
+  vec_free(&e->number);
   vec_free(&e->field);
   free(e);
 }
@@ -385,7 +388,7 @@ size_t expr_scratch(const Expr *e, size_t n)
 
 size_t expr_length(const Expr *e)
 {
-  return e->code.len;
+  return e->number.len + e->code.len;
 }
 
 // ---- evaluation -------------------------------------------------------------------------------------------------------------------
@@ -430,7 +433,7 @@ static inline double apply1(Op op, double v)
   case OP_ACOS: return acos(v);
   case OP_ASIN: return asin(v);
   case OP_ATAN: return atan(v);
-  case OP_COS: return cos(v);
+  case OP_COS: return trig_cos(v);
   case OP_COSH: return cosh(v);
   case OP_DEG: return v * 180 / M_PI;
   case OP_EXP: return exp(v);
@@ -440,7 +443,7 @@ static inline double apply1(Op op, double v)
   case OP_RAD: return v * M_PI / 180;
   case OP_ROUND: return trunc(v + 0.5);
   case OP_SIGN: return v < 0 ? -1 : 1;
-  case OP_SIN: return sin(v);
+  case OP_SIN: return trig_sin(v);
   case OP_SINH: return sinh(v);
   case OP_SQRT: return sqrt(v);
   case OP_STEP: return v < 0 ? 0 : 1;
@@ -481,20 +484,37 @@ static void run(const Instr *in, const double *a, const double *b, const double 
 {
   switch (in->op) {
   case OP_CONST:
-    for (size_t i = 0; i < n; i++) to[i] = in->value;
-    break;
   case OP_INPUT: break;
   case OP_RAND:
     for (size_t i = 0; i < n; i++) to[i] = a[i] * scatter(place[0][i], place[1][i], place[2][i]);
     break;
+  case OP_SIN: trig_batch(a, n, 0, to); break;
+  case OP_COS: trig_batch(a, n, 1, to); break;
   LOOP2(OP_ADD) LOOP2(OP_SUB) LOOP2(OP_MUL) LOOP2(OP_DIV) LOOP2(OP_POW) LOOP2(OP_MOD) LOOP2(OP_LT) LOOP2(OP_GT)
   LOOP2(OP_LE) LOOP2(OP_GE) LOOP2(OP_EQ) LOOP2(OP_NE) LOOP2(OP_AND) LOOP2(OP_OR) LOOP2(OP_MIN) LOOP2(OP_MAX)
   LOOP2(OP_ATAN2) LOOP2(OP_HYPOT)
-  LOOP1(OP_NEG) LOOP1(OP_ABS) LOOP1(OP_ACOS) LOOP1(OP_ASIN) LOOP1(OP_ATAN) LOOP1(OP_COS) LOOP1(OP_COSH) LOOP1(OP_DEG)
-  LOOP1(OP_EXP) LOOP1(OP_FAC) LOOP1(OP_LOG) LOOP1(OP_LOG10) LOOP1(OP_RAD) LOOP1(OP_ROUND) LOOP1(OP_SIGN) LOOP1(OP_SIN)
+  LOOP1(OP_NEG) LOOP1(OP_ABS) LOOP1(OP_ACOS) LOOP1(OP_ASIN) LOOP1(OP_ATAN) LOOP1(OP_COSH) LOOP1(OP_DEG)
+  LOOP1(OP_EXP) LOOP1(OP_FAC) LOOP1(OP_LOG) LOOP1(OP_LOG10) LOOP1(OP_RAD) LOOP1(OP_ROUND) LOOP1(OP_SIGN)
   LOOP1(OP_SINH) LOOP1(OP_SQRT) LOOP1(OP_STEP) LOOP1(OP_TAN) LOOP1(OP_TANH) LOOP1(OP_ATANH) LOOP1(OP_TRUNC)
   LOOP1(OP_FLOOR) LOOP1(OP_CEIL)
   }
+}
+
+enum { MOST_PLACES = 64 };
+
+// At one place: values in one small array, no loops within instructions.
+static double evaluate_one(const Expr *e, const double *place, const double *const *field)
+{
+  double v[MOST_PLACES];
+  size_t n = 3;
+  memcpy(v, place, 3 * sizeof *v);
+  for (size_t k = 0; k < e->field.len; k++) v[n++] = *field[k];
+  for (size_t k = 0; k < e->number.len; k++) v[n++] = e->number.data[k];
+  for (const Instr *in = e->code.data, *end = in + e->code.len; in < end; in++)
+    v[in->to] = in->op == OP_RAND   ? v[in->a] * scatter(v[0], v[1], v[2])
+                : is_binary(in->op) ? apply2(in->op, v[in->a], v[in->b])
+                                    : apply1(in->op, v[in->a]);
+  return v[e->result];
 }
 
 void expr_eval(const Expr *e, const double *x, const double *y, const double *z, const double *const *field, size_t n,
@@ -502,7 +522,13 @@ void expr_eval(const Expr *e, const double *x, const double *y, const double *z,
 {
   const double *place[3] = {x, y, z};
   uint32_t ninput = (uint32_t)(3 + e->field.len);
+  if (n == 1 && ninput + e->nreg <= MOST_PLACES) {
+    *out = evaluate_one(e, (double[3]){*x, *y, *z}, field);
+    return;
+  }
 #define OPERAND(k) ((k) < 3 ? place[k] : (k) < ninput ? field[(k) - 3] : scratch + (size_t)((k) - ninput) * n)
+  for (size_t k = 0; k < e->number.len; k++)
+    for (size_t i = 0; i < n; i++) scratch[k * n + i] = e->number.data[k];
   for (size_t i = 0; i < e->code.len; i++) {
     const Instr *in = &e->code.data[i];
     run(in, OPERAND(in->a), OPERAND(in->b), place, n, scratch + (size_t)(in->to - ninput) * n);

@@ -211,7 +211,9 @@ static void note_fault(SizeEval *e, double value, Vec3 at, Where w)
 
 static double clamp_and_scale(const SizeField *s, double h)
 {
-  return fmin(fmax(h, s->lo), s->hi) * s->factor;
+  if (h < s->lo) h = s->lo;
+  if (h > s->hi) h = s->hi;
+  return h * s->factor;
 }
 
 // The size wanted by `geometry` (points, curvature, D) and by the field's value v.

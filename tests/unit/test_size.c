@@ -12,6 +12,7 @@
 #include "model/model_edit.h"
 #include "size/mathexpr.h"
 #include "size/size.h"
+#include "size/trig.h"
 
 #define NEAR(a, b, tol) \
   do { \
@@ -98,6 +99,48 @@ static void common_parts_are_computed_once(void **state)
   expr_free(a);
   expr_free(b);
   expr_free(c);
+}
+
+// One place and many give the same bits.
+static void one_place_is_as_many(void **state)
+{
+  (void)state;
+  static const char *const text[] = {"0.1+0.08*sin(3*x)*cos(6*y)", "x^2.5+min(x,y,z,0.3)*F1-F2/7+step(x-y)", "F1", "y", "cos(1e6*x)+2*rand(x)",
+                                     "(x+1)*(x+2)*(x+3)*(x+4)*(x+5)*(x+6)*(x+7)*(x+8)"};
+  enum { N = 64 };
+  Rng rng = {11};
+  double x[N], y[N], z[N], f1[N], f2[N], many[N], one;
+  for (int i = 0; i < N; i++)
+    x[i] = 4 * rng_double(&rng), y[i] = rng_double(&rng) - 0.5, z[i] = rng_double(&rng), f1[i] = rng_double(&rng), f2[i] = 3;
+  for (size_t k = 0; k < ARRAY_LEN(text); k++) {
+    Str error = {0};
+    int column;
+    Expr *e = expr_compile(text[k], &error, &column);
+    double *scratch = mem_alloc((expr_scratch(e, N) + 1) * sizeof *scratch);
+    expr_eval(e, x, y, z, (const double *[]){f1, f2}, N, scratch, many);
+    for (int i = 0; i < N; i++) {
+      expr_eval(e, x + i, y + i, z + i, (const double *[]){f1 + i, f2 + i}, 1, scratch, &one);
+      assert_memory_equal(&one, &many[i], sizeof one);
+    }
+    free(scratch);
+    expr_free(e);
+  }
+}
+
+static void sines_are_within_an_ulp(void **state)
+{
+  (void)state;
+  Rng rng = {12};
+  for (int i = 0; i < 300000; i++) {
+    double range = i % 3 == 0 ? 2e5 : i % 3 == 1 ? 20 : 1e-3, x = range * (rng_double(&rng) - 0.5);
+    if (i % 7 == 0) x = floor(x) * M_PI_2; // where one of them nearly vanishes
+    if (fabs(x) > TRIG_MOST) continue;
+    long double s = sinl((long double)x), c = cosl((long double)x);
+    assert_true(fabsl((long double)trig_sin(x) - s) <= (long double)ldexp(1, ilogb((double)s) - 52));
+    assert_true(fabsl((long double)trig_cos(x) - c) <= (long double)ldexp(1, ilogb((double)c) - 52));
+  }
+  assert_true(trig_sin(0) == 0 && trig_cos(0) == 1 && isnan(trig_sin(INFINITY)) && isnan(trig_cos(NAN)));
+  assert_true(trig_sin(1e22) == sin(1e22));
 }
 
 // ---- nearest ------------------------------------------------------------------------------------------------------------
@@ -642,6 +685,8 @@ int main(void)
     cmocka_unit_test(expressions_have_their_values),
     cmocka_unit_test(bad_expressions_say_where),
     cmocka_unit_test(common_parts_are_computed_once),
+    cmocka_unit_test(one_place_is_as_many),
+    cmocka_unit_test(sines_are_within_an_ulp),
     cmocka_unit_test(the_nearest_of_all_is_found),
     cmocka_unit_test(hints_do_not_change_a_distance),
     cmocka_unit_test(cones_are_the_least_of_all),
