@@ -119,9 +119,9 @@ static inline void deliver(Bulk *m, struct BulkWork *w, uint32_t parent)
 // Build a part, or divide it.
 static void advance(Bulk *m, struct BulkWork *w, Part p)
 {
-  VertId mid = p.hi;
-  if (p.hi - p.lo <= 3) *place_of(w, p.parent) = bulk_base(m, p.lo, p.hi);
-  else {
+  VertId mid = p.hi, n = p.hi - p.lo;
+  if (n <= 3) *place_of(w, p.parent) = bulk_base(m, p.lo, p.hi);
+  else if (n > 4 || m->incremental || !bulk_four(m, p.lo, place_of(w, p.parent))) {
     if (!m->incremental) mid = bulk_split(m, p.lo, p.hi);
     if (mid == p.hi) *place_of(w, p.parent) = bulk_insert(m, p.lo, p.hi);
   }

@@ -66,7 +66,8 @@ BulkHull bulk_insert(Bulk *m, VertId lo, VertId hi);
 void bulk__begin_insert(Bulk *m);
 void bulk__end_insert(Bulk *m);
 
-// One to three vertices; any number on one line; and the extreme vertices, given a hull edge (tri_bulk_base.c).
+// Four vertices from lo on; false, and nothing is done: three are on one line. One to three vertices; any number on one line; and the extreme vertices, given a hull edge (tri_bulk_base.c).
+bool bulk_four(Bulk *m, VertId lo, BulkHull *hull);
 BulkHull bulk_base(Bulk *m, VertId lo, VertId hi);
 BulkHull bulk_chain(Bulk *m, VertId lo, VertId hi);
 BulkHull bulk_extremes(const Bulk *m, EdgeId h);

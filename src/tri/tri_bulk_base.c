@@ -88,17 +88,48 @@ static BulkHull pair(Bulk *m, VertId a)
                     {3 * t - 3 * right, 3 * s + 3 * right, 3 * t - 3 * up, 3 * s + 3 * up}};
 }
 
+// The extremes of a convex polygon of n vertices; hull edges g, g + 3 .. leave them. Without branches, but for ties.
+static inline BulkHull polygon_extremes(const Bulk *m, const VertId *v, uint32_t n, EdgeId g)
+{
+  BulkHull x = {.v = {0}};
+  int tie = 0;
+  for (int i = 0; i < 2; i++) {
+    double lowest = bulk_at(m, v[0])[i], highest = lowest;
+    uint32_t low = 0, high = 0;
+    for (uint32_t k = 1; k < n; k++) {
+      double q = bulk_at(m, v[k])[i];
+      tie |= (q == lowest) | (q == highest);
+      low = q < lowest ? k : low;
+      high = q > highest ? k : high;
+      lowest = MIN(q, lowest);
+      highest = MAX(q, highest);
+    }
+    x.at[2 * i] = lowest, x.at[2 * i + 1] = highest;
+    x.v[2 * i] = v[low], x.v[2 * i + 1] = v[high];
+    x.e[2 * i] = g + 3 * low, x.e[2 * i + 1] = g + 3 * high;
+  }
+  if (UNLIKELY(tie)) {
+    x = hull_of(bulk_at(m, v[0]), v[0], g);
+    for (uint32_t k = 1; k < n; k++) widen(m, &x, v[k], g + 3 * k);
+  }
+  return x;
+}
+
+// Ghosts in the slots from t on around the convex polygon of n vertices; their twins' half-edges are given.
+static inline void set_ghosts(Bulk *m, TriId t, const VertId *v, uint32_t n, const EdgeId *inner)
+{
+  for (uint32_t k = 0; k < n; k++) {
+    uint32_t next = k + 1 < n ? k + 1 : 0;
+    bulk_set(m, t + k, v[next], v[k], TRI_INF);
+    bulk_link(m, 3 * (t + k), inner[k]);
+    bulk_link(m, 3 * (t + k) + 2, 3 * (t + next) + 1); // inf -> dest with dest -> inf
+  }
+}
+
 static void set_triangle(Bulk *m, TriId t, VertId a, VertId b, VertId c)
 {
   bulk_set(m, t, a, b, c);
-  bulk_set(m, t + 1, b, a, TRI_INF);
-  bulk_set(m, t + 2, c, b, TRI_INF);
-  bulk_set(m, t + 3, a, c, TRI_INF);
-  for (uint32_t i = 0; i < 3; i++) {
-    EdgeId ghost = 3 * (t + 1 + i), after = 3 * (t + 1 + (i + 1) % 3);
-    bulk_link(m, 3 * t + i, ghost);
-    bulk_link(m, ghost + 2, after + 1); // inf -> dest with dest -> inf
-  }
+  set_ghosts(m, t + 1, (VertId[3]){a, b, c}, 3, (EdgeId[3]){3 * t, 3 * t + 1, 3 * t + 2});
 }
 
 void bulk_triangle(Bulk *m, TriId t, VertId a, VertId b, VertId c)
@@ -107,23 +138,74 @@ void bulk_triangle(Bulk *m, TriId t, VertId a, VertId b, VertId c)
   else set_triangle(m, t, b, a, c);
 }
 
-// The extremes of a triangle a, b, c whose coordinates all differ, without branches; hull edge g leaves b, and the next two
-// c and a.
-static inline void triangle_extremes(BulkHull *x, const double *a, const double *b, const double *c, const VertId v[3],
-                                     EdgeId g)
+// A triangle with a vertex d inside, in the slots from t on.
+static BulkHull set_fan(Bulk *m, TriId t, const VertId v[3], VertId d)
 {
-  for (int i = 0; i < 2; i++) {
-    uint32_t low = c[i] < b[i], high = c[i] > b[i];
-    double lowest = MIN(b[i], c[i]), highest = MAX(b[i], c[i]);
-    low = a[i] < lowest ? 2 : low;
-    high = a[i] > highest ? 2 : high;
-    x->at[2 * i] = MIN(a[i], lowest);
-    x->at[2 * i + 1] = MAX(a[i], highest);
-    x->v[2 * i] = v[low];
-    x->v[2 * i + 1] = v[high];
-    x->e[2 * i] = g + 3 * low;
-    x->e[2 * i + 1] = g + 3 * high;
+  for (uint32_t k = 0; k < 3; k++) {
+    uint32_t next = k < 2 ? k + 1 : 0;
+    bulk_set(m, t + k, v[k], v[next], d);
+    bulk_link(m, 3 * (t + k) + 1, 3 * (t + next) + 2);
   }
+  set_ghosts(m, t + 3, v, 3, (EdgeId[3]){3 * t, 3 * t + 3, 3 * t + 6});
+  return polygon_extremes(m, (VertId[3]){v[1], v[2], v[0]}, 3, 3 * (t + 3));
+}
+
+// A convex quadrilateral with the diagonal v[0] v[2].
+static BulkHull set_quad(Bulk *m, TriId t, const VertId v[4])
+{
+  bulk_set(m, t, v[0], v[1], v[2]);
+  bulk_set(m, t + 1, v[0], v[2], v[3]);
+  bulk_link(m, 3 * t + 2, 3 * t + 3);
+  set_ghosts(m, t + 2, v, 4, (EdgeId[4]){3 * t, 3 * t + 1, 3 * t + 4, 3 * t + 5});
+  return polygon_extremes(m, (VertId[4]){v[1], v[2], v[3], v[0]}, 4, 3 * (t + 2));
+}
+
+// The sign of l - r as far as the filter can tell, without a branch.
+static inline int sign_of_difference(double l, double r)
+{
+  double det = l - r, tol = ORIENT_BOUND * (fabs(l) + fabs(r)) + ORIENT_TINY;
+  return (det > tol) - (-det > tol);
+}
+
+bool bulk_four(Bulk *m, VertId lo, BulkHull *hull)
+{
+  const double *p[4] = {bulk_at(m, lo), bulk_at(m, lo + 1), bulk_at(m, lo + 2), bulk_at(m, lo + 3)};
+  double ax = p[0][0] - p[3][0], ay = p[0][1] - p[3][1], bx = p[1][0] - p[3][0], by = p[1][1] - p[3][1];
+  double cx = p[2][0] - p[3][0], cy = p[2][1] - p[3][1];
+  int ab = sign_of_difference(ax * by, ay * bx), bc = sign_of_difference(bx * cy, by * cx);
+  int ca = sign_of_difference(cx * ay, cy * ax);
+  int abc = sign_of_difference((p[0][0] - p[2][0]) * (p[1][1] - p[2][1]), (p[0][1] - p[2][1]) * (p[1][0] - p[2][0]));
+  double al = ax * ax + ay * ay, bl = bx * bx + by * by, cl = cx * cx + cy * cy, s = al + bl + cl;
+  double det = al * (bx * cy - cx * by) + bl * (cx * ay - ax * cy) + cl * (ax * by - bx * ay);
+  double tol = INCIRCLE_BOUND * (s * s) + (INCIRCLE_TINY * s + INCIRCLE_TINY);
+  int in = (det > tol) - (-det > tol);
+  if (UNLIKELY(!(ab & bc & ca & abc & in))) { // the lowest bit of -1 and 1
+    ab = orient2d_count(p[0], p[1], p[3], &m->count), bc = orient2d_count(p[1], p[2], p[3], &m->count);
+    ca = orient2d_count(p[2], p[0], p[3], &m->count), abc = orient2d_count(p[0], p[1], p[2], &m->count);
+    if (!(ab & bc & ca & abc)) return false;
+    in = abc > 0 ? incircle_perturbed(p[0], p[1], p[2], p[3], &m->count) : -incircle_perturbed(p[1], p[0], p[2], p[3], &m->count);
+  }
+  // a, b, c counterclockwise; exchange a and b if they are not. d is right of which of ab, bc, ca, and in their circle?
+  bool back = abc < 0;
+  const VertId v[4] = {lo + back, lo + !back, lo + 2, lo + 3};
+  unsigned right_ab = ab * abc < 0, right_bc = (back ? ca : bc) * abc < 0, right_ca = (back ? bc : ca) * abc < 0;
+  unsigned beyond = right_ab | right_bc << 1 | right_ca << 2, inside = in * abc > 0;
+  // The hull and the vertex inside; or the quadrilateral from one end of its diagonal.
+  static const uint8_t fan[8][4] = {
+    [0] = {0, 1, 2, 3}, [3] = {0, 3, 2, 1}, [5] = {3, 1, 2, 0}, [6] = {0, 1, 3, 2},
+  };
+  static const uint8_t quad[5][2][4] = {
+    [1] = {{0, 3, 1, 2}, {3, 1, 2, 0}}, [2] = {{1, 3, 2, 0}, {3, 2, 0, 1}}, [4] = {{2, 3, 0, 1}, {3, 0, 1, 2}},
+  };
+  const TriId t = 2 * lo;
+  if (beyond == 1 || beyond == 2 || beyond == 4) {
+    const uint8_t *q = quad[beyond][inside];
+    *hull = set_quad(m, t, (VertId[4]){v[q[0]], v[q[1]], v[q[2]], v[q[3]]});
+  } else {
+    const uint8_t *q = fan[beyond];
+    *hull = set_fan(m, t, (VertId[3]){v[q[0]], v[q[1]], v[q[2]]}, v[q[3]]);
+  }
+  return true;
 }
 
 BulkHull bulk_base(Bulk *m, VertId lo, VertId hi)
@@ -134,13 +216,5 @@ BulkHull bulk_base(Bulk *m, VertId lo, VertId hi)
   if (s == 0) return bulk_chain(m, lo, hi);
   VertId a = lo + (s < 0), b = lo + (s > 0), c = lo + 2;
   set_triangle(m, 2 * lo, a, b, c);
-  EdgeId g = 3 * (2 * lo + 1);
-  const double *p = bulk_at(m, a), *q = bulk_at(m, b), *r = bulk_at(m, c);
-  BulkHull x;
-  if (UNLIKELY((p[0] == q[0]) | (q[0] == r[0]) | (r[0] == p[0]) | (p[1] == q[1]) | (q[1] == r[1]) | (r[1] == p[1]))) {
-    x = hull_of(q, b, g);
-    widen(m, &x, c, g + 3);
-    widen(m, &x, a, g + 6);
-  } else triangle_extremes(&x, p, q, r, (VertId[3]){b, c, a}, g);
-  return x;
+  return polygon_extremes(m, (VertId[3]){b, c, a}, 3, 3 * (2 * lo + 1));
 }
