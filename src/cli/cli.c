@@ -210,6 +210,7 @@ static void do_command(Walk *w, CommandId id)
     c->shell = next_word(w, "completion");
     break;
   case CMD_VORONOI: c->voronoi = true; break;
+  case CMD_INSERTION: c->insertion = true; break;
   case CMD_OUTPUT:
     if ((s = next_word(w, "o")) != NULL) vec_push(&c->outputs, s);
     break;

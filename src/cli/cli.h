@@ -44,7 +44,7 @@ typedef struct {
   const char *format;    // or NULL
   Vec(Setting) settings;
   const char *bgm, *log, *shell, *explain;
-  bool json, report, full_report, keep_going, allow_system, werror, voronoi, sync, histogram;
+  bool json, report, full_report, keep_going, allow_system, werror, voronoi, insertion, sync, histogram;
   int color_by;       // 0: by group; else 1 + a Measure
   unsigned cell_data; // bit k: Measure k
   int width, mark_worst; // of pictures: pixels, elements; 0: default, none

@@ -53,7 +53,8 @@ static ExitCode triangulate(Delaunay *d)
   size_t n = d->points = f->xy.len / 2;
   double cpu = time_cpu(), wall = time_wall();
   d->vertex_of = mem_alloc(n * sizeof *d->vertex_of);
-  TriBuild how = {.reorder = true, .take = true, .threads = d->cli->options.General_NumThreads, .vertex_of = d->vertex_of};
+  TriBuild how = {.reorder = true, .take = true, .threads = d->cli->options.General_NumThreads,
+                  .incremental = d->cli->insertion, .vertex_of = d->vertex_of};
   TriBuildResult r = tri_build(&d->tri, f->xy.data, n, &how);
   f->xy.data = NULL;
   f->xy.len = f->xy.cap = 0;

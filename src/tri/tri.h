@@ -110,7 +110,7 @@ typedef struct {
   bool reorder;         // number the vertices along a Hilbert curve (fast for many points) instead of as given
   bool take;            // xy came from malloc and becomes the triangulation's: no copy is made
   int threads;          // 0: one per processor; the result never depends on it
-  bool incremental;     // by insertion alone, as the book does, instead of by parts that are merged: slower
+  bool incremental;     // by insertion alone, as the book does, in rounds along the curve, instead of by merged parts: slower
   uint32_t *vertex_of;  // n entries filled with the vertex of each point, or NULL. Of equal points the first is the vertex
   U32Vec *duplicates;   // the later ones of equal points are appended, ascending; or NULL
   uint32_t bad;         // on TRI_BUILD_NOT_FINITE the index of the point
@@ -120,7 +120,8 @@ typedef enum { TRI_BUILD_GOOD, TRI_BUILD_NOT_FINITE, TRI_BUILD_TOO_MANY } TriBui
 // The Delaunay triangulation of n points into m (from tri_init). It is unique: cocircular points are settled by
 // incircle_perturbed, so any order of the points gives the same triangles, and with reorder the same arrays. Without
 // reorder the duplicates are isolated vertices. n may be 0. With `take`, xy is freed or kept also on failure.
-// Expected O(n log n), about 2.5 walk steps and 4.2 cavity triangles a point. [book §3.3], [Bowyer81], [Watson81]
+// Expected O(n log n) for points that are not clustered too wildly [Guibas85]; by insertion [book §3.3], [Bowyer81],
+// [Watson81] with about 1.5 walk steps and 4 cavity triangles a point.
 TriBuildResult tri_build(Tri *m, double *xy, size_t n, TriBuild *how);
 
 // ---- location -------------------------------------------------------------------------------------------------

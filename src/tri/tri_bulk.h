@@ -19,7 +19,7 @@ typedef struct {
   const double *xy;      // of the vertices in order along the Hilbert curve, all different
   const uint32_t *key;   // their cells on the curve, ascending, and BULK_KEYS_BEYOND more that are not less than any
   uint32_t *vert, *twin; // room for 2n - 2 triangles
-  bool incremental;      // all by insertion
+  bool incremental;      // all by insertion, in rounds of doubling size along the curve
   PredCount count;
   uint64_t walks, steps, cavity, merged, flipped;
   struct BulkScratch *scratch;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/base.h"
 
+#include "base/rng.h"
 #include "tri/tri_bulk.h"
 
 // A side a -> b of the growing cavity: the half-edge g beyond it, its ends and the apex d beyond, relative to the new point,
@@ -206,6 +207,31 @@ static void turn_ghost(Bulk *m, TriId t)
   }
 }
 
+// Of the new triangles around the vertex just inserted, one in whose sector q lies, if it is finite; else e, one of them. Their
+// half-edges 3t are on the boundary of the cavity.
+static EdgeId facing(Bulk *m, EdgeId e, const double *q)
+{
+  const double *p = bulk_at(m, m->vert[e + 2]);
+  EdgeId f = e;
+  do {
+    VertId a = m->vert[f], b = m->vert[f + 1];
+    if ((a | b) <= TRI_MAX_VERTICES && orient2d_count(p, bulk_at(m, a), q, &m->count) >= 0 &&
+        orient2d_count(p, bulk_at(m, b), q, &m->count) < 0)
+      return f;
+    f = m->twin[f + 1] - 2;
+  } while (f != e);
+  return e;
+}
+
+// Vertex v's round: the last with probability 1/2, the one before with 1/4, and so on.
+enum { ROUNDS = 12 };
+
+static int round_of(VertId v)
+{
+  Rng r = {v};
+  return ROUNDS - __builtin_ctzll(rng_next(&r) | (uint64_t)1 << ROUNDS);
+}
+
 BulkHull bulk_insert(Bulk *m, VertId lo, VertId hi)
 {
   VertId k = lo + 2;
@@ -214,11 +240,13 @@ BulkHull bulk_insert(Bulk *m, VertId lo, VertId hi)
   bulk_triangle(m, 2 * lo, lo, lo + 1, k);
   EdgeId e = 6 * lo;
   TriId fresh = 2 * lo + 4;
-  for (VertId v = lo + 2; v < hi; v++) {
-    if (v == k) continue;
-    e = insert(m, v, e, fresh);
-    fresh += 2;
-  }
+  for (int round = m->incremental ? 0 : ROUNDS; round <= ROUNDS; round++)
+    for (VertId v = lo + 2; v < hi; v++) {
+      if (v == k || (m->incremental && round_of(v) != round)) continue;
+      if (m->incremental && fresh > 2 * lo + 4) e = facing(m, e, bulk_at(m, v));
+      e = insert(m, v, e, fresh);
+      fresh += 2;
+    }
   EdgeId h = NONE;
   for (TriId t = 2 * lo; t < 2 * hi - 2; t++) {
     const uint32_t *v = m->vert + 3 * (size_t)t;

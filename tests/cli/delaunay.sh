@@ -15,6 +15,13 @@ prints '"triangles": 9' "the report counts the triangles"
 prints '"duplicates": 1' "and the duplicates"
 says "1 points are equal to earlier ones" "duplicates are announced"
 check "the pictures are there" test -s a.png
+exits 0 "one by one" "$MESHGEN" -delaunay -insertion a.xyz -o i.msh --json
+check "the walks and cavities are counted" "$PYTHON" -c "
+import json
+d = json.load(open('out.txt'))['delaunay']
+assert d['insertions'] > 490 and 1 < d['walk_steps'] < 2.5 and 3.5 < d['cavity'] < 4.2 and d['merge_triangles'] == 0, d
+"
+exits 0 "the triangles are the same" "$MESHGEN" diff a.msh i.msh
 exits 0 "Voronoi cells" "$MESHGEN" -delaunay -voronoi a.xyz -o v.vtk -o v.ply -o v.obj -o v.off -o v.msh -o v.svg
 check "are polygons, one a point, that fill a rectangle" "$PYTHON" -c "
 import meshio, vtk

@@ -22,7 +22,7 @@ done
 # Every switch is accepted, by both spellings, and asks for its argument.
 for s in $switches; do
   case $s in
-  0 | 1 | 2 | 3 | save | parse_and_exit | refine | barycentric_refine | delaunay | voronoi) continue ;; # tested with inputs
+  0 | 1 | 2 | 3 | save | parse_and_exit | refine | barycentric_refine | delaunay | voronoi | insertion) continue ;; # tested with inputs
   esac
   "$MESHGEN" --$s >out.txt 2>&1 </dev/null
   if grep -q "unknown switch" out.txt; then not_ok "--$s is known" "$(cat out.txt)"; else ok "--$s is known"; fi
