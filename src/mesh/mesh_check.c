@@ -167,23 +167,28 @@ static void find_twins(const Check *c, TwinsVec *out)
   vec_free(&suspect);
 }
 
-// Which pairs meet in a face: stamp the nodes of twins face by face.
-static void find_meetings(const Check *c, TwinsVec *twins)
+void check__stamp_faces(const Check *c, void (*body)(void *ctx, uint32_t face, const uint32_t *stamp), void *ctx)
 {
   const Mesh *m = c->m;
-  uint32_t *face = mem_alloc(m->nnode * sizeof *face);
-  memset(face, 0xff, m->nnode * sizeof *face);
+  uint32_t *stamp = mem_alloc(m->nnode * sizeof *stamp);
+  memset(stamp, 0xff, m->nnode * sizeof *stamp);
   for (uint32_t b = 0; b < m->nblock; b++) {
     const MeshBlock *k = &m->block[b];
     if (elem_dim(k->type) != 2) continue;
-    for (size_t i = 0; i < k->n * (size_t)elem_nodes(k->type); i++) face[k->node[i]] = k->entity;
-    if (b + 1 < m->nblock && m->block[b + 1].entity == k->entity) continue;
-    for (size_t i = 0; i < twins->len; i++) {
-      Twins *t = &twins->data[i];
-      t->meet = t->meet || (face[t->first] == k->entity && face[t->second] == k->entity);
-    }
+    for (size_t i = 0; i < k->n * (size_t)elem_nodes(k->type); i++) stamp[k->node[i]] = k->entity;
+    if (b + 1 == m->nblock || m->block[b + 1].entity != k->entity) body(ctx, k->entity, stamp);
   }
-  free(face);
+  free(stamp);
+}
+
+// Which pairs meet in the face.
+static void find_meetings(void *ctx, uint32_t face, const uint32_t *stamp)
+{
+  TwinsVec *twins = ctx;
+  for (size_t i = 0; i < twins->len; i++) {
+    Twins *t = &twins->data[i];
+    t->meet = t->meet || (stamp[t->first] == face && stamp[t->second] == face);
+  }
 }
 
 // Two nodes of one face at one place make it wrong. Otherwise they may be meant: points of the geometry that coincide, faces that
@@ -193,7 +198,7 @@ static void check_duplicate_nodes(Check *c)
   const Mesh *m = c->m;
   TwinsVec twins = {0};
   find_twins(c, &twins);
-  if (twins.len) find_meetings(c, &twins);
+  if (twins.len) check__stamp_faces(c, find_meetings, &twins);
   for (size_t i = 0; i < twins.len; i++) {
     uint32_t a = twins.data[i].first, b = twins.data[i].second;
     check__report(c, RULE_DUPLICATE_NODE, !twins.data[i].meet, m->node_entity[b], NONE, 0, b, mesh_xyz(m, b),

@@ -360,29 +360,26 @@ typedef struct {
 } Junction;
 typedef Vec(Junction) JunctionVec;
 
-// Which nodes are in the face of the edge they lie in: stamp the nodes face by face.
-static void find_own_nodes(const Check *c, JunctionVec *found)
+typedef struct {
+  const Mesh *m;
+  JunctionVec *found;
+} Junctions;
+
+// Which nodes are in the face of the edge they lie in.
+static void find_own_nodes(void *ctx, uint32_t face, const uint32_t *stamp)
 {
-  const Mesh *m = c->m;
-  uint32_t *face = mem_alloc(m->nnode * sizeof *face);
-  memset(face, 0xff, m->nnode * sizeof *face);
-  for (uint32_t b = 0; b < m->nblock; b++) {
-    const MeshBlock *k = &m->block[b];
-    if (elem_dim(k->type) != 2) continue;
-    for (size_t i = 0; i < k->n * (size_t)elem_nodes(k->type); i++) face[k->node[i]] = k->entity;
-    for (size_t i = 0; i < found->len; i++) {
-      Junction *j = &found->data[i];
-      if (m->block[j->edge.block].entity == k->entity && face[j->node] == k->entity) j->inside = true;
-    }
+  const Junctions *to = ctx;
+  for (size_t i = 0; i < to->found->len; i++) {
+    Junction *j = &to->found->data[i];
+    if (to->m->block[j->edge.block].entity == face && stamp[j->node] == face) j->inside = true;
   }
-  free(face);
 }
 
 // A node within an edge is an error where the mesh contradicts itself: the node is of the same face, or the edge is on no curve. An edge
 // on a curve is complete by that curve's mesh; then the node is of something that lies there without being joined.
 static void report_junctions(Check *c, JunctionVec *found)
 {
-  if (found->len) find_own_nodes(c, found);
+  if (found->len) check__stamp_faces(c, find_own_nodes, &(Junctions){c->m, found});
   for (size_t i = 0; i < found->len; i++) {
     const Junction *j = &found->data[i];
     bool apart = j->line && !j->inside;

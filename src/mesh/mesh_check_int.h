@@ -21,6 +21,9 @@ typedef struct {
   MeshEdges edges;
 } Check;
 
+// Call body for each face with a stamp for each node, which is the face where an element of the face has the node.
+void check__stamp_faces(const Check *c, void (*body)(void *ctx, uint32_t face, const uint32_t *stamp), void *ctx);
+
 // A face that is looked at.
 typedef struct {
   uint32_t entity, first, last;  // blocks first .. last-1

@@ -258,10 +258,13 @@ static Scale scale_of(const Picture *p)
 {
   static const char *const titles[MEASURES] = {"quality gamma", "smallest angle", "quality eta", "scaled Jacobian", "kappa 1",
                                                "kappa 2",       "kappa 3",        "kappa 4",     "kappa 5"};
-  size_t quads = 0;
-  for (size_t b = 0; b < p->mesh->nblock; b++)
+  size_t quads = 0, triangles = 0;
+  for (size_t b = 0; b < p->mesh->nblock; b++) {
     if (elem_corners(p->mesh->block[b].type) == 4) quads += p->mesh->block[b].n;
+    if (elem_corners(p->mesh->block[b].type) == 3) triangles += p->mesh->block[b].n;
+  }
   Measure what = p->o->color ? (Measure)(p->o->color - 1) : MEASURE_GAMMA;
+  if (what == MEASURE_GAMMA && quads && !triangles) what = MEASURE_ETA; // which is what gamma is of quadrangles
   return (Scale){.what = what, .name = titles[what], .largest = what != MEASURE_ANGLE ? 1 : quads ? 90 : 60};
 }
 
