@@ -37,6 +37,7 @@ typedef struct {
   const Tri *tri;
   const FaceGraph *graph;
   const FaceMap *map;
+  const FaceSizes *sizes;
   QuadMesh mesh;
 } Work;
 
@@ -56,6 +57,7 @@ static void take_triangles(Work *w)
   uint8_t *fixed = mem_zalloc(t->nv);
   memset(fixed, 1, w->graph->node.len);
   quad_mesh_init(&w->mesh, t->xy, fixed, t->nv, tri.data, tri.len / 3, locked.data, locked.len / 2);
+  quad_mesh_set_sizes(&w->mesh, w->sizes->vertex);
   free(fixed);
   vec_free(&tri);
   vec_free(&locked);
@@ -88,7 +90,7 @@ static QuadParams quad_params(const Face *f, const Options *o, Work *w)
 
 // ---- out ----------------------------------------------------------------------------------------------------------------
 // Node ids of the vertices: those of the graph, middles of its segments, and own nodes, which are appended to out.
-static uint32_t *number_vertices(const Work *w, uint32_t base, const double *size, FaceMesh *out)
+static uint32_t *number_vertices(const Work *w, uint32_t base, FaceMesh *out)
 {
   const QuadMesh *q = &w->mesh;
   size_t n = q->xy.len, before = out->nown;
@@ -110,7 +112,10 @@ static uint32_t *number_vertices(const Work *w, uint32_t base, const double *siz
       id[v] = w->graph->middle_node.data[middle];
     } else {
       id[v] = base + (uint32_t)out->nown;
-      out->size[out->nown] = from == NONE || w->graph->coarse ? NAN : size[from];
+      Vec2 p = q->xy.data[v];
+      double h = w->sizes->extended ? quad_mesh_size(q, (uint32_t)v, p) : INFINITY;
+      if (w->sizes->at) h = fmin(h, w->sizes->at(w->sizes->ctx, p));
+      out->size[out->nown] = w->map->filling ? h * filling_stretch(w->map->filling, p) : h;
       out->own[out->nown++] = face_map_point(w->map, q->xy.data[v]);
     }
   }
@@ -130,10 +135,10 @@ static void put_elements(const QuadMesh *q, const uint32_t *id, FaceMesh *out)
   }
 }
 
-bool face_quads(const Tri *t, const FaceGraph *g, const FaceMap *map, const Options *o, uint32_t base, const double *size,
-                FaceMesh *out, Diag *diag)
+bool face_quads(const Tri *t, const FaceGraph *g, const FaceMap *map, const Options *o, uint32_t base,
+                const FaceSizes *sizes, FaceMesh *out, Diag *diag)
 {
-  Work w = {.tri = t, .graph = g, .map = map};
+  Work w = {.tri = t, .graph = g, .map = map, .sizes = sizes};
   take_triangles(&w);
   QuadParams p = quad_params(map->face, o, &w);
   QuadReport report = {0};
@@ -148,7 +153,7 @@ bool face_quads(const Tri *t, const FaceGraph *g, const FaceMap *map, const Opti
                  report.cut                              ? "quadrangles there would not be convex"
                  : report.triangles > report.odd_parts ? "there are no pairs that would be convex quadrangles"
                                                          : "its boundary has an odd number of edges");
-  uint32_t *id = number_vertices(&w, base, size, out);
+  uint32_t *id = number_vertices(&w, base, out);
   put_elements(&w.mesh, id, out);
   free(id);
   quad_mesh_free(&w.mesh);

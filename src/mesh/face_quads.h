@@ -17,11 +17,19 @@ bool face_is_split(const Model *m, const Face *f, const Mesh1d *curves, const Op
 // area of a square of side sqrt(sqrt(3)/2) H, which smoothing turns it into; splitting every element halves that.
 double face_quads_size_factor(const Face *f, const Options *o, bool coarse);
 
+// Edge lengths wanted in the plane of the face.
+typedef struct {
+  const double *vertex;  // at each vertex of the triangulation
+  SizeAt at;             // anywhere; NULL: only known at vertices
+  void *ctx;
+  bool extended;         // what the boundary carries inside is at the vertices, too, and bounds what `at` says
+} FaceSizes;
+
 // What extract is for triangles: the triangles of t that are inside, recombined, appended to out. g is the graph that t was made from,
-// base the number of nodes of points and curves, size the wanted edge length at each vertex of t. Warns where triangles remain
+// base the number of nodes of points and curves. Warns where triangles remain
 // although quadrangles only were asked for. False, with out as it was, if g is coarse and the nodes left out, put back on the curves,
 // turn elements over: then the face is to be meshed with all its boundary nodes.
-bool face_quads(const Tri *t, const FaceGraph *g, const FaceMap *map, const Options *o, uint32_t base, const double *size,
-                FaceMesh *out, Diag *diag);
+bool face_quads(const Tri *t, const FaceGraph *g, const FaceMap *map, const Options *o, uint32_t base,
+                const FaceSizes *sizes, FaceMesh *out, Diag *diag);
 
 #endif

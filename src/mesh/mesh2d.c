@@ -177,7 +177,8 @@ static bool try_plane_face(const Driver *d, size_t k, SizeEval *eval, bool coars
       out->failed = true;
     } else if (face_is_recombined(f, d->in->options)) {
       for (size_t v = 0; v < t.nv; v++) sizes[v] /= scaled.factor;
-      valid = face_quads(&t, &g, &map, d->in->options, (uint32_t)d->nodes->n, sizes, out, diag);
+      FaceSizes wanted = {sizes, scaled.size, scaled.ctx, p.extend_from_boundary};
+      valid = face_quads(&t, &g, &map, d->in->options, (uint32_t)d->nodes->n, &wanted, out, diag);
     } else {
       extract(&t, &g, d, &map, sizes, out);
     }

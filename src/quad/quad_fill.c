@@ -38,7 +38,7 @@ static bool ring_valid(const Ring *r)
 static bool ring_search(Ring *r)
 {
   Ring best = *r;
-  double worst = 0;
+  double worst = 1;
   Vec2 mean = vec2_scale(0.25, vec2_add(vec2_add(r->xy[0], r->xy[1]), vec2_add(r->xy[2], r->xy[3])));
   for (uint32_t far = 0; far < 4; far++)
     for (int c = 0; c < 4; c++) {
@@ -47,14 +47,14 @@ static bool ring_search(Ring *r)
       for (int s = 3; s <= 6; s++)
         for (int f = s; f <= 9; f++) {
           ring_place(r, centre, far, 0.1 * s, 0.1 * f);
-          double now = quad__score(r->xy, r->corner, 5).worst;
-          if (now <= worst || !ring_valid(r)) continue;
+          double now = quad__score(r->xy, NULL, r->corner, 5).worst;
+          if (now >= worst || !ring_valid(r)) continue;
           best = *r;
           worst = now;
         }
     }
   *r = best;
-  for (int sweep = 0; worst > 0 && sweep < 8; sweep++)
+  for (int sweep = 0; worst < 1 && sweep < 8; sweep++)
     for (uint32_t i = 0; i < 4; i++) {
       uint32_t star[4 * 3];
       for (uint32_t k = 0; k < 4; k++) {
@@ -62,9 +62,9 @@ static bool ring_search(Ring *r)
         star[4 + k] = r->corner[4 * ((i + 3) % 4) + k];
         star[8 + k] = r->corner[16 + k];
       }
-      quad__improve(r->xy, 4 + i, star, 3, 3, QUAD_GOOD_SHAPE);
+      quad__improve(r->xy, NULL, 4 + i, star, 3, 3, quad__skew_of_shape(QUAD_GOOD_SHAPE));
     }
-  return worst > 0 && ring_valid(r);
+  return worst < 1 && ring_valid(r);
 }
 
 size_t quad_fill_bad(QuadMesh *m, double min_eta)
@@ -76,15 +76,8 @@ size_t quad_fill_bad(QuadMesh *m, double min_eta)
     if (v[3] == NONE || (quad__convex(m->xy.data, v) && quad__eta(m, v) >= min_eta)) continue;
     Ring r;
     ring_init(&r, m->xy.data, v);
-    if (!ring_search(&r) || quad__score(r.xy, r.corner, 5).worst < min_eta) continue;
-    for (uint32_t i = 4; i < 8; i++) {
-      v[i] = (uint32_t)m->xy.len;
-      vec_push(&m->xy, r.xy[i]);
-      vec_push(&m->fixed, 0);
-      vec_push(&m->from, NONE);
-      vec_push(&m->parent, NONE);
-      vec_push(&m->parent, NONE);
-    }
+    if (!ring_search(&r) || quad__score(r.xy, NULL, r.corner, 5).worst > quad__skew_of_shape(min_eta)) continue;
+    for (uint32_t i = 4; i < 8; i++) v[i] = quad__add_vertex(m, r.xy[i], v, 4);
     for (size_t i = 0; i < 16; i++) vec_push(&m->vertex, v[r.corner[i]]);
     for (size_t i = 0; i < 4; i++) m->vertex.data[4 * e + i] = v[4 + i];
     filled++;

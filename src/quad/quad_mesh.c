@@ -40,11 +40,55 @@ void quad_mesh_init(QuadMesh *m, const double *xy, const uint8_t *fixed, size_t 
 void quad_mesh_free(QuadMesh *m)
 {
   vec_free(&m->xy);
+  vec_free(&m->size);
   vec_free(&m->fixed);
   vec_free(&m->from);
   vec_free(&m->parent);
   vec_free(&m->vertex);
   vec_free(&m->locked);
+}
+
+// Slopes are the means of those of the triangles around, weighted by area.
+void quad_mesh_set_sizes(QuadMesh *m, const double *h)
+{
+  size_t nv = m->xy.len;
+  double *area = mem_zalloc((nv + 1) * sizeof *area);
+  vec_resize(&m->size, nv);
+  for (size_t v = 0; v < nv; v++) m->size.data[v] = (QuadSize){.at = m->xy.data[v], .h = isfinite(h[v]) && h[v] > 0 ? h[v] : 0};
+  for (size_t e = 0; e < m->vertex.len; e += 4) {
+    const uint32_t *v = &m->vertex.data[e];
+    Vec2 p = m->xy.data[v[0]], a = vec2_sub(m->xy.data[v[1]], p), b = vec2_sub(m->xy.data[v[2]], p);
+    double x = h[v[1]] - h[v[0]], y = h[v[2]] - h[v[0]];
+    Vec2 turned = {x * b.y - y * a.y, y * a.x - x * b.x}; // the slope, times twice the area
+    for (int i = 0; i < 3 && isfinite(turned.x) && isfinite(turned.y); i++) {
+      m->size.data[v[i]].slope = vec2_add(m->size.data[v[i]].slope, turned);
+      area[v[i]] += vec2_cross(a, b);
+    }
+  }
+  for (size_t v = 0; v < nv; v++) m->size.data[v].slope = vec2_scale(area[v] > 0 ? 1 / area[v] : 0, m->size.data[v].slope);
+  free(area);
+}
+
+double quad_mesh_size(const QuadMesh *m, uint32_t v, Vec2 p)
+{
+  return m->size.len && m->size.data[v].h > 0 ? quad__size_at(&m->size.data[v], p) : NAN;
+}
+
+uint32_t quad__add_vertex(QuadMesh *m, Vec2 p, const uint32_t *around, uint32_t n)
+{
+  QuadSize mean = {.at = p};
+  for (uint32_t i = 0; i < n && m->size.len; i++) {
+    const QuadSize *s = &m->size.data[around[i]];
+    mean.h += quad__size_at(s, p) / n;
+    mean.slope = vec2_add(mean.slope, vec2_scale(1.0 / n, s->slope));
+  }
+  if (m->size.len) vec_push(&m->size, mean);
+  vec_push(&m->xy, p);
+  vec_push(&m->fixed, 0);
+  vec_push(&m->from, NONE);
+  vec_push(&m->parent, NONE);
+  vec_push(&m->parent, NONE);
+  return (uint32_t)m->xy.len - 1;
 }
 
 size_t quad_mesh_triangles(const QuadMesh *m)
@@ -112,6 +156,7 @@ void quad_mesh_compact(QuadMesh *m)
   for (size_t v = 0; v < nv; v++) {
     if (number[v] == NONE) continue;
     m->xy.data[out] = m->xy.data[v];
+    if (m->size.len) m->size.data[out] = m->size.data[v];
     m->fixed.data[out] = m->fixed.data[v];
     m->from.data[out] = m->from.data[v];
     m->parent.data[2 * out] = m->parent.data[2 * v];
@@ -119,6 +164,7 @@ void quad_mesh_compact(QuadMesh *m)
     number[v] = (uint32_t)out++;
   }
   vec_resize(&m->xy, out);
+  if (m->size.len) vec_resize(&m->size, out);
   vec_resize(&m->fixed, out);
   vec_resize(&m->from, out);
   vec_resize(&m->parent, 2 * out);

@@ -9,8 +9,15 @@
 
 // Element e has the corners vertex[4e .. 4e+3], counterclockwise; a triangle has NONE at 4e+3. Edge i of an element runs
 // from corner i to the next. An edge with one element is a boundary edge.
+// The wanted edge length about a vertex, linear: h + slope (p - at).
+typedef struct {
+  Vec2 at, slope;
+  double h;             // 0: not known
+} QuadSize;
+
 typedef struct {
   Vec(Vec2) xy;
+  Vec(QuadSize) size;   // by vertex; empty: no sizes are known
   Vec(uint8_t) fixed;   // by vertex: 1 if it must not be moved or removed (on a curve, or embedded)
   U32Vec from;          // by vertex: which one it was when the mesh was made; NONE for a new one
   U32Vec parent;        // 2 by vertex: the ends of the edge that a new vertex halves (as numbered in `from`); else NONE, NONE
@@ -23,6 +30,11 @@ typedef struct {
 void quad_mesh_init(QuadMesh *m, const double *xy, const uint8_t *fixed, size_t nv, const uint32_t *tri, size_t ntri,
                     const uint32_t *locked, size_t nlocked);
 void quad_mesh_free(QuadMesh *m);
+// Tell the edge length wanted at each vertex (in the end, where elements are split) of a mesh of triangles that nothing has changed
+// yet. O(n).
+void quad_mesh_set_sizes(QuadMesh *m, const double *h);
+// The wanted edge length about vertex v, at the place p near it; NAN if it is not known.
+double quad_mesh_size(const QuadMesh *m, uint32_t v, Vec2 p);
 
 static inline size_t quad_mesh_elements(const QuadMesh *m) { return m->vertex.len / 4; }
 static inline bool quad_mesh_is_quad(const QuadMesh *m, size_t e) { return m->vertex.data[4 * e + 3] != NONE; }
@@ -66,7 +78,7 @@ typedef struct {
   double matching_seconds;  // processor time of the matching and of its check
   int64_t matching_cost;
   size_t removed;           // vertices removed by the clean-up
-  size_t flips, collapses, doublets;
+  size_t flips, collapses, doublets, opened;
   size_t filled;            // bad quads replaced by five
   size_t cut;               // bad quads cut into triangles again
   size_t inverted;          // elements at the end that are not strictly convex: only where `middle` puts a vertex across them

@@ -156,22 +156,16 @@ void quad_match_blossom(QuadMesh *m, QuadReport *report)
 
 // ---- splitting
 
-static uint32_t add_vertex(QuadMesh *m, Vec2 p, bool fixed, uint32_t a, uint32_t b)
-{
-  vec_push(&m->xy, p);
-  vec_push(&m->fixed, fixed);
-  vec_push(&m->from, NONE);
-  vec_push(&m->parent, a);
-  vec_push(&m->parent, b);
-  return (uint32_t)m->xy.len - 1;
-}
-
 static uint32_t split_side(QuadMesh *m, const QuadParams *p, uint32_t a, uint32_t b, bool locked)
 {
   Vec2 mid = vec2_scale(0.5, vec2_add(m->xy.data[a], m->xy.data[b])), on;
   uint32_t fa = m->from.data[a], fb = m->from.data[b];
   if (locked && p->middle && p->middle(p->ctx, fa, fb, &on)) mid = on;
-  return locked ? add_vertex(m, mid, true, fa, fb) : add_vertex(m, mid, false, NONE, NONE);
+  uint32_t v = quad__add_vertex(m, mid, (const uint32_t[2]){a, b}, 2);
+  if (!locked) return v;
+  m->fixed.data[v] = 1;
+  m->parent.data[2 * v] = fa, m->parent.data[2 * v + 1] = fb;
+  return v;
 }
 
 // The point that makes the best of the n corners' quads: the mean of the corners does on convex elements.
@@ -179,7 +173,7 @@ static uint32_t add_centre(QuadMesh *m, const uint32_t *v, uint32_t n)
 {
   Vec2 c = {0, 0};
   for (uint32_t i = 0; i < n; i++) c = vec2_add(c, m->xy.data[v[i]]);
-  return add_vertex(m, vec2_scale(1.0 / n, c), false, NONE, NONE);
+  return quad__add_vertex(m, vec2_scale(1.0 / n, c), v, n);
 }
 
 void quad_split_all(QuadMesh *m, const QuadParams *p)
@@ -252,11 +246,21 @@ static void fill_bad(QuadMesh *m, const QuadParams *p, QuadReport *report)
   if (n && p->smoothing) quad_smooth(m, p->smoothing);
 }
 
+static void scale_sizes(QuadMesh *m, double factor)
+{
+  for (size_t v = 0; v < m->size.len; v++) {
+    m->size.data[v].h *= factor;
+    m->size.data[v].slope = vec2_scale(factor, m->size.data[v].slope);
+  }
+}
+
 void quad_recombine(QuadMesh *m, const QuadParams *p, QuadReport *report)
 {
   QuadReport ignored;
   if (!report) report = &ignored;
   *report = (QuadReport){0};
+  bool split = p->algorithm == QUAD_FULL_GREEDY || p->algorithm == QUAD_FULL_BLOSSOM || p->algorithm == QUAD_SPLIT;
+  if (split) scale_sizes(m, 2);
   switch (p->algorithm) {
   case QUAD_GREEDY:
   case QUAD_FULL_GREEDY: quad_match_greedy(m, p->angle); break;
@@ -267,13 +271,13 @@ void quad_recombine(QuadMesh *m, const QuadParams *p, QuadReport *report)
     break;
   case QUAD_SPLIT: break;
   }
-  bool split = p->algorithm == QUAD_FULL_GREEDY || p->algorithm == QUAD_FULL_BLOSSOM || p->algorithm == QUAD_SPLIT;
   if (p->cleanup) quad_clean(m, p->cleanup, report);
   if (p->smoothing) quad_smooth(m, p->smoothing);
   if (p->algorithm != QUAD_GREEDY && !split) fill_bad(m, p, report);
   report->cut = quad_cut_bad(m, split ? 0 : p->min_eta);
   if (split) {
     quad_split_all(m, p);
+    scale_sizes(m, 0.5);
     if (p->cleanup) quad_clean(m, p->cleanup, report);
     if (p->smoothing) quad_smooth(m, p->smoothing);
     fill_bad(m, p, report);
