@@ -120,51 +120,64 @@ typedef struct {
 } Twins;
 typedef Vec(Twins) TwinsVec;
 
-// Nodes that may be at the place of another, ascending: those whose hash falls where another's does, of 16 places or more per node.
-// Two bits a place say whether none, one or more fell there.
-static void find_suspects(const Mesh *m, U32Vec *out)
+// A node, and above it 32 bits of the hash of its place.
+typedef uint64_t Placed;
+
+static int twins_order(const void *x, const void *y)
 {
-  int bits = 6;
-  while ((size_t)1 << bits < 16 * m->nnode) bits++;
-  uint8_t *seen = mem_zalloc((size_t)1 << (bits - 2));
-  for (size_t i = 0; i < m->nnode; i++) {
-    uint64_t h = hash_point(m->xyz + 3 * i) >> (64 - bits);
-    int shift = (int)(h % 4) * 2, n = seen[h / 4] >> shift & 3;
-    seen[h / 4] |= (uint8_t)((n ? 2 : 1) << shift);
-  }
-  for (size_t i = 0; i < m->nnode; i++) {
-    uint64_t h = hash_point(m->xyz + 3 * i) >> (64 - bits);
-    if (UNLIKELY(seen[h / 4] >> (h % 4) * 2 & 2)) vec_push(out, (uint32_t)i);
-  }
-  free(seen);
+  const Twins *a = x, *b = y;
+  return a->second < b->second ? -1 : a->second > b->second;
 }
 
-// Pairs of nodes at one place: among the suspects, by open addressing. The upper bits of the hash are the better ones.
-static void find_twins(const Check *c, TwinsVec *out)
+// Pairs among the n nodes of a bucket, by open addressing. slot[] has room for a power of two of at least 2 n.
+static void find_twins_in(const Mesh *m, const Placed *node, size_t n, uint32_t *slot, TwinsVec *out)
 {
-  const Mesh *m = c->m;
-  U32Vec suspect = {0};
-  find_suspects(m, &suspect);
-  int bits = 4;
-  while ((size_t)1 << bits < 2 * suspect.len) bits++;
+  int bits = 1;
+  while ((size_t)1 << bits < 2 * n) bits++;
   size_t mask = ((size_t)1 << bits) - 1;
-  uint32_t *slot = mem_alloc((mask + 1) * sizeof *slot);
   memset(slot, 0xff, (mask + 1) * sizeof *slot);
-  for (size_t k = 0; k < suspect.len; k++) {
-    uint32_t i = suspect.data[k];
+  for (size_t k = 0; k < n; k++) {
+    uint32_t i = (uint32_t)node[k], h = (uint32_t)(node[k] >> 32);
     const double *x = m->xyz + 3 * (size_t)i;
-    size_t s = hash_point(x) >> (64 - bits);
+    size_t s = (size_t)((uint64_t)h << bits >> 32);
     for (; slot[s] != NONE; s = (s + 1) & mask) {
-      const double *y = m->xyz + 3 * (size_t)slot[s];
+      if (LIKELY(node[slot[s]] >> 32 != h)) continue;
+      const double *y = m->xyz + 3 * (size_t)(uint32_t)node[slot[s]];
       if (x[0] == y[0] && x[1] == y[1] && x[2] == y[2]) break;
     }
     if (slot[s] == NONE)
-      slot[s] = i;
+      slot[s] = (uint32_t)k;
     else
-      vec_push(out, ((Twins){slot[s], i, false}));
+      vec_push(out, ((Twins){(uint32_t)node[slot[s]], i, false}));
   }
+}
+
+// Pairs of nodes at one place, the later one ascending. Nodes go into buckets by the upper bits of their hash first, so small that what is
+// visited at random stays in the nearest memory.
+static void find_twins(const Check *c, TwinsVec *out)
+{
+  enum { BUCKET = 2048 };
+  const Mesh *m = c->m;
+  int bits = 1;
+  while (bits < 20 && m->nnode >> bits > BUCKET) bits++;
+  size_t buckets = (size_t)1 << bits, most = 0;
+  uint32_t *start = mem_zalloc((buckets + 2) * sizeof *start);
+  for (size_t i = 0; i < m->nnode; i++) start[(hash_point(m->xyz + 3 * i) >> (64 - bits)) + 2]++;
+  for (size_t b = 0; b < buckets; b++) {
+    most = MAX(most, start[b + 2]);
+    start[b + 2] += start[b + 1];
+  }
+  Placed *node = mem_alloc(m->nnode * sizeof *node);
+  for (size_t i = 0; i < m->nnode; i++) {
+    uint64_t h = hash_point(m->xyz + 3 * i);
+    node[start[(h >> (64 - bits)) + 1]++] = h << bits >> 32 << 32 | i;
+  }
+  uint32_t *slot = mem_alloc(4 * (most + 1) * sizeof *slot);
+  for (size_t b = 0; b < buckets; b++) find_twins_in(m, node + start[b], start[b + 1] - start[b], slot, out);
+  if (out->len) qsort(out->data, out->len, sizeof *out->data, twins_order);
   free(slot);
-  vec_free(&suspect);
+  free(node);
+  free(start);
 }
 
 void check__stamp_faces(const Check *c, void (*body)(void *ctx, uint32_t face, const uint32_t *stamp), void *ctx)
