@@ -43,29 +43,44 @@ double mesh_size_of(const Mesh *m, const MeshBlock *k, size_t i, Vec3 normal)
   return vec3_dot(a, normal) < 0 ? -size : size;
 }
 
-// Angles at the corners of a quadrangle, in (0, 2 pi): against its own mean normal.
-static void quad_angles(const Vec3 *p, double angle[4])
+// Sine and cosine, both times the same, of the angles at the corners of a quadrangle, against its own mean normal.
+static void quad_corners(const Vec3 *p, double sine[4], double cosine[4])
 {
   Vec3 n = area_vector(p, 4);
   for (int c = 0; c < 4; c++) {
     Vec3 a = vec3_sub(p[(c + 1) % 4], p[c]), b = vec3_sub(p[(c + 3) % 4], p[c]), x = vec3_cross(a, b);
-    double sine = vec3_length(x), cosine = vec3_dot(a, b);
-    angle[c] = atan2(vec3_dot(x, n) < 0 ? -sine : sine, cosine);
-    if (angle[c] < 0) angle[c] += 2 * pi;
+    sine[c] = vec3_dot(x, n) < 0 ? -vec3_length(x) : vec3_length(x);
+    cosine[c] = vec3_dot(a, b);
   }
 }
 
-static int angles_of(const Mesh *m, const MeshBlock *k, size_t i, double angle[4])
+// Degrees, in [0, 360).
+static double angle_of(double sine, double cosine)
 {
-  Vec3 p[4];
-  int n = mesh_corners(m, k, i, p);
-  if (n == 3)
-    quality_angles(shape_space(p[0], p[1], p[2], (Vec3){0, 0, 0}), angle);
-  else {
-    quad_angles(p, angle);
-    for (int c = 0; c < 4; c++) angle[c] *= 180 / pi;
+  double a = atan2(sine, cosine);
+  return (a < 0 ? a + 2 * pi : a) * (180 / pi);
+}
+
+// Grows with the angle, from 0 to 4, and costs less.
+static double turn_of(double sine, double cosine)
+{
+  double t = fabs(sine) / (fabs(sine) + fabs(cosine));
+  if (sine >= 0) return cosine >= 0 ? t : 2 - t;
+  return cosine < 0 ? 2 + t : 4 - t;
+}
+
+static void quad_angle_range(const Vec3 *p, double *least, double *largest)
+{
+  double sine[4], cosine[4], low = INFINITY, high = -INFINITY;
+  int first = 0, last = 0;
+  quad_corners(p, sine, cosine);
+  for (int c = 0; c < 4; c++) {
+    double t = turn_of(sine[c], cosine[c]);
+    if (t < low) low = t, first = c;
+    if (t > high) high = t, last = c;
   }
-  return n;
+  *least = angle_of(sine[first], cosine[first]);
+  *largest = angle_of(sine[last], cosine[last]);
 }
 
 double mesh_scaled_jacobian(const Mesh *m, const MeshBlock *k, size_t i)
@@ -90,13 +105,15 @@ double mesh_scaled_jacobian(const Mesh *m, const MeshBlock *k, size_t i)
 
 void mesh_angle_range(const Mesh *m, const MeshBlock *k, size_t i, double *least, double *largest)
 {
-  double angle[4];
-  int n = angles_of(m, k, i, angle);
-  *least = *largest = angle[0];
-  for (int c = 1; c < n; c++) {
-    *least = fmin(*least, angle[c]);
-    *largest = fmax(*largest, angle[c]);
+  Vec3 p[4];
+  double angle[3];
+  if (mesh_corners(m, k, i, p) == 4) {
+    quad_angle_range(p, least, largest);
+    return;
   }
+  quality_angles(shape_space(p[0], p[1], p[2], (Vec3){0, 0, 0}), angle);
+  *least = fmin(angle[0], fmin(angle[1], angle[2]));
+  *largest = fmax(angle[0], fmax(angle[1], angle[2]));
 }
 
 static const char *const measure_names[MEASURES] = {"gamma",  "angle",  "eta",    "jacobian", "kappa1",

@@ -9,6 +9,11 @@ $(B)/bench/%: tests/bench/%.c $(LIB)
 bench-mesh: $(B)/bench/bench_refine meshgen
 	bash tests/bench/mesh.sh $(B)/bench/bench_refine ./meshgen
 
+.PHONY: bench-structured
+## bench-structured: transfinite squares to a binary MSH, ours and gmsh side by side
+bench-structured: meshgen
+	bash tests/bench/structured.sh ./meshgen
+
 .PHONY: docs-quality
 ## docs-quality: docs/quality.md anew: triangles of every face of geo/, ours and gmsh's
 docs-quality: meshgen
