@@ -78,18 +78,23 @@ static void grid_free(WallGrid *g)
   free(g->item);
 }
 
-// ---- room: the largest ball that touches its own wall at the base and holds no other wall ------------------------------------------
-// Radius of the ball through the base b with its centre along the unit vector n and through q.
-static double ball_to_point(Vec2 b, Vec2 n, Vec2 q)
+// ---- room: the largest ball that touches its own wall and holds no other wall ---------------------------------------------------
+// Its centre is on the line b + t n, its radius `lift` times t: 1 if it touches the wall at the base b, less in a corner, where it touches the
+// walls on either side. What these functions return is the largest t. Balls that the walls' own continuations touch are no closer than that.
+#define TOUCH 1e-9
+
+static double ball_to_point(Vec2 b, Vec2 n, double lift, Vec2 q)
 {
   Vec2 d = vec2_sub(q, b);
-  double ahead = vec2_dot(d, n);
-  return ahead > 0 ? vec2_dot(d, d) / (2 * ahead) : INFINITY;
+  double ahead = vec2_dot(d, n), k = 1 - lift * lift;
+  if (!(ahead > 0)) return INFINITY;
+  double disc = ahead * ahead - k * vec2_dot(d, d);
+  return disc > TOUCH * ahead * ahead ? vec2_dot(d, d) / (ahead + sqrt(disc)) : INFINITY;
 }
 
-static double ball_to_wall(Vec2 b, Vec2 n, const Wall *w)
+static double ball_to_wall(Vec2 b, Vec2 n, double lift, const Wall *w)
 {
-  double r = fmin(ball_to_point(b, n, w->a), ball_to_point(b, n, w->b));
+  double r = fmin(ball_to_point(b, n, lift, w->a), ball_to_point(b, n, lift, w->b));
   Vec2 e = vec2_sub(w->b, w->a);
   double len = vec2_length(e);
   if (!(len > 0)) return r;
@@ -99,8 +104,8 @@ static double ball_to_wall(Vec2 b, Vec2 n, const Wall *w)
     away = -away;
     rate = -rate;
   }
-  if (!(rate < 1) || !(away > 0)) return r;
-  double t = away / (1 - rate); // tangent to the line of the wall ...
+  if (!(lift - rate > TOUCH) || !(away > 0)) return r;
+  double t = away / (lift - rate); // tangent to the line of the wall ...
   double along = vec2_dot(vec2_sub(vec2_add(b, vec2_scale(t, n)), w->a), e) / (len * len);
   return along > 0 && along < 1 ? fmin(r, t) : r; // ... at a point of the wall itself
 }
@@ -115,35 +120,49 @@ static bool beside(const Chain *c, const Column *k, const Wall *w)
   return (first->on != NONE && w->curve == first->on) || (last->on != NONE && w->curve == last->on);
 }
 
-static void room_of_column(const FaceLayers *f, const WallGrid *g, const Chain *c, Column *k)
+// Does the i-th column lean towards both of its neighbours? Then it stands in a corner of less than 180 degrees.
+static bool in_corner(const Chain *c, size_t i)
 {
-  double len = vec2_length(k->dir), want = chain__thickness(c) * len, reach = want / SHARE;
+  size_t n = c->col.len;
+  if (!c->closed && (i == 0 || i + 1 == n)) return false;
+  const Column *k = &c->col.data[i], *before = &c->col.data[(i + n - 1) % n], *after = &c->col.data[(i + 1) % n];
+  return vec2_dot(k->dir, vec2_sub(before->base, k->base)) > 0 && vec2_dot(k->dir, vec2_sub(after->base, k->base)) > 0;
+}
+
+static void room_of_column(const FaceLayers *f, const WallGrid *g, const Chain *c, size_t i)
+{
+  Column *k = &c->col.data[i];
+  double len = vec2_length(k->dir), want = chain__thickness(c) * len, reach = want / SHARE, lift = in_corner(c, i) ? 1 / len : 1;
   Vec2 n = vec2_scale(1 / len, k->dir), centre = vec2_add(k->base, vec2_scale(reach, n));
   CellRange r = range_of(g, (Vec2){centre.x - reach, centre.y - reach}, (Vec2){centre.x + reach, centre.y + reach});
   double room = INFINITY;
   for (uint32_t y = r.y0; y <= r.y1; y++)
     for (uint32_t x = r.x0; x <= r.x1; x++) {
       size_t cell = (size_t)y * g->nx + x;
-      for (uint32_t i = g->start[cell]; i < g->start[cell + 1]; i++) {
-        const Wall *w = &f->wall.data[g->item[i]];
-        if (!beside(c, k, w)) room = fmin(room, ball_to_wall(k->base, n, w));
+      for (uint32_t j = g->start[cell]; j < g->start[cell + 1]; j++) {
+        const Wall *w = &f->wall.data[g->item[j]];
+        if (!beside(c, k, w)) room = fmin(room, ball_to_wall(k->base, n, lift, w));
       }
     }
   k->s = fmin(k->s, SHARE * room / want);
 }
 
-// Neighbours that lean towards each other must leave a top.
+// Neighbours that lean towards each other must leave a top: what is over half of the room gives way, down to half or to what the other
+// leaves. All look at the factors as they were, so that the order of the cells does not matter.
 static void limit_lean(Chain *c)
 {
-  double h = chain__thickness(c);
+  double h = chain__thickness(c), *was = mem_alloc(c->col.len * sizeof *was);
+  for (size_t i = 0; i < c->col.len; i++) was[i] = c->col.data[i].s;
   for (size_t i = 0; i < chain__cells(c); i++) {
     Column *a = &c->col.data[i], *b = chain__next(c, i);
     Vec2 e = vec2_sub(b->base, a->base);
-    double room = 0.5 * (1 - TOP_SHARE) * vec2_dot(e, e), fa = h * vec2_dot(a->dir, e), fb = -h * vec2_dot(b->dir, e);
-    if (!(room > 0)) continue;
-    if (fa > 0) a->s = fmin(a->s, room / fa);
-    if (fb > 0) b->s = fmin(b->s, room / fb);
+    double fa = fmax(0, h * vec2_dot(a->dir, e)), fb = fmax(0, -h * vec2_dot(b->dir, e)), room = (1 - TOP_SHARE) * vec2_dot(e, e);
+    double la = was[i] * fa, lb = was[b - c->col.data] * fb;
+    if (!(room > 0) || !(la + lb > room)) continue;
+    if (la > room / 2) a->s = fmin(a->s, fmax(room / 2, room - lb) / fa);
+    if (lb > room / 2) b->s = fmin(b->s, fmax(room / 2, room - la) / fb);
   }
+  free(was);
 }
 
 static void limit_slope(Chain *c)
@@ -173,7 +192,7 @@ void layers__find_room(FaceLayers *f)
   for (size_t j = 0; j < f->chain.len; j++) {
     Chain *c = &f->chain.data[j];
     for (size_t i = 0; i < c->col.len; i++)
-      if (!c->col.data[i].collapsed) room_of_column(f, &g, c, &c->col.data[i]);
+      if (!c->col.data[i].collapsed) room_of_column(f, &g, c, i);
   }
   grid_free(&g);
 }

@@ -337,6 +337,33 @@ static int random_face(Rng *r, int trial)
   return seen;
 }
 
+// In a corner with room every layer goes round at its height: the column stands on the bisector, as long as that takes.
+static void corners_with_room_are_mitred(void **state)
+{
+  (void)state;
+  World w;
+  world_init(&w);
+  const Vec2 p[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  int loop, first = polygon(&w, p, 4, 0.2, &loop);
+  model_add_face(w.m, FACE_PLANE, 1, &loop, 1, NO_LOC, w.diag);
+  const double curves[4] = {first, first + 1, first + 2, first + 3};
+  list(&w, "CurvesList", curves, 4);
+  number(&w, "Size", 0.01);
+  number(&w, "Ratio", 1.2);
+  number(&w, "Thickness", 0.1);
+  number(&w, "Quads", 1);
+  assert_int_equal(mesh_it(&w), 0);
+  double h[64];
+  size_t n = layer_heights(0.01, 1.2, 0.1, h, 64);
+  assert_int_equal(w.face[0].nquad, 20 * n);
+  for (size_t k = 0; k < n; k++) {
+    assert_true(has_node_near(&w, (Vec2){h[k], h[k]}, 1e-9));
+    assert_true(has_node_near(&w, (Vec2){1 - h[k], h[k]}, 1e-9));
+    assert_true(has_node_near(&w, (Vec2){0.2, h[k]}, 1e-9));
+  }
+  world_free(&w);
+}
+
 // Between two walls too near for the thickness the layers are fewer in height, not in number: the first keeps its height.
 static void narrow_gaps_keep_the_first_height(void **state)
 {
@@ -381,6 +408,7 @@ int main(void)
       cmocka_unit_test(symmetric_faces_get_symmetric_layers),
       cmocka_unit_test(fans_turn_round_corners),
       cmocka_unit_test(narrow_gaps_keep_the_first_height),
+      cmocka_unit_test(corners_with_room_are_mitred),
       cmocka_unit_test(random_faces_never_overlap),
   };
   return unit_run(tests);
