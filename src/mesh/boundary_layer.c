@@ -607,6 +607,15 @@ static void report(const Planner *p)
   }
 }
 
+// Curves that are meshed as part of another stand for the whole.
+static void name_leaders(LayerField *f, const Model *m)
+{
+  for (size_t i = 0; i < f->curves.len; i++) {
+    const Curve *c = model_curve(m, f->curves.data[i]);
+    if (c && c->joined) f->curves.data[i] = c->joined;
+  }
+}
+
 BoundaryLayers *boundary_layers_new(const Model *m, const FieldSet *fields, const Options *opt, Mesh1d *curves, Diag *diag)
 {
   const int *id;
@@ -616,7 +625,7 @@ BoundaryLayers *boundary_layers_new(const Model *m, const FieldSet *fields, cons
   Planner p = {m, opt, b, curves, diag};
   b->field = mem_alloc(n * sizeof *b->field);
   for (size_t i = 0; i < n; i++)
-    if (read_field(&b->field[b->nfield], fields, id[i], diag)) b->nfield++;
+    if (read_field(&b->field[b->nfield], fields, id[i], diag)) name_leaders(&b->field[b->nfield++], m);
   b->face = mem_alloc(model_faces(m) * sizeof *b->face);
   for (size_t k = 0; k < model_faces(m); k++) {
     const Face *face = model_face_at(m, k);
