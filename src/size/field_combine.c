@@ -146,7 +146,7 @@ static void add_curve(Entities *d, const Model *m, int tag, bool boundary)
 {
   const Curve *c = model_curve(m, tag);
   if (!c) return;
-  add_entity(d, 1, tag);
+  add_entity(d, 1, c->joined ? c->joined : tag); // part of a compound: what is meshed is the whole
   if (!boundary) return;
   add_entity(d, 0, c->begin);
   add_entity(d, 0, c->end);
