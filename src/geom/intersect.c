@@ -5,21 +5,17 @@
 // rounded values overlap.
 #include "base/base.h"
 
-#include "geom/intersect.h"
+#include "geom/intersect_int.h"
 
 #include "geom/hilbert.h"
 
 enum { LEAF = 4 }; // segments per leaf
+enum { STEPS_PER_SEGMENT = 50, STEPS_PER_PAIR = 50 }; // a chain takes 3 a segment, short edges all over the plane 2
 
 // Intervals of x, y, x + y and x - y.
 typedef struct {
   double lo[4], hi[4];
 } Octagon;
-
-typedef struct {
-  double p[4];       // ax ay bx by
-  uint32_t v[2], id; // ends, index in the caller's order
-} Seg;
 
 typedef struct {
   Seg *seg;
@@ -28,6 +24,7 @@ typedef struct {
   size_t leaves;     // a power of two; leaf k is node leaves + k and has segments LEAF*k ..
   size_t most;
   SegPairVec *out;
+  uint64_t steps;    // pairs of nodes to be looked at before the search is given up
   bool all;
 } Matcher;
 
@@ -72,21 +69,27 @@ static inline bool boxes_apart(const double *p, const double *q)
          MAX(q[1], q[3]) < MIN(p[1], p[3]);
 }
 
-static void match(Matcher *m, const Seg *s, const Seg *t)
+bool intersect__meet(const Seg *s, const Seg *t, SegMeet *how)
 {
-  if (boxes_apart(s->p, t->p)) return;
+  if (boxes_apart(s->p, t->p)) return false;
   // A chain's neighbours: only folding back on each other counts, and that needs three collinear points.
   for (int i = 0; i < 2; i++)
     for (int j = 0; j < 2; j++)
-      if (s->v[i] == t->v[j] && orient2d(s->p + 2 * (1 - i), s->p + 2 * i, t->p + 2 * (1 - j)) != 0) return;
-  SegMeet how = segments_meet(s->p, s->p + 2, t->p, t->p + 2);
-  if (how == SEG_DISJOINT || how == SEG_SHARE) return;
+      if (s->v[i] == t->v[j] && orient2d(s->p + 2 * (1 - i), s->p + 2 * i, t->p + 2 * (1 - j)) != 0) return false;
+  *how = segments_meet(s->p, s->p + 2, t->p, t->p + 2);
+  return *how != SEG_DISJOINT && *how != SEG_SHARE;
+}
+
+static void match(Matcher *m, const Seg *s, const Seg *t)
+{
+  SegMeet how;
+  if (!intersect__meet(s, t, &how)) return;
   if (m->out->len >= m->most) {
     m->all = false;
     return;
   }
-  SegPair pair = {MIN(s->id, t->id), MAX(s->id, t->id), how};
-  vec_push(m->out, pair);
+  vec_push(m->out, ((SegPair){MIN(s->id, t->id), MAX(s->id, t->id), how}));
+  m->steps += STEPS_PER_PAIR;
 }
 
 static void match_leaves(Matcher *m, size_t a, size_t b)
@@ -96,15 +99,15 @@ static void match_leaves(Matcher *m, size_t a, size_t b)
     for (size_t j = a == b ? i + 1 : LEAF * b; j < b1; j++) match(m, &m->seg[i], &m->seg[j]);
 }
 
-// Depth-first over pairs of nodes of one level.
-static void match_all(Matcher *m)
+// Depth-first over pairs of nodes of one level. False if it takes too long.
+static bool match_all(Matcher *m)
 {
   typedef struct {
     uint32_t a, b;
   } Pair;
   Vec(Pair) stack = {0};
   vec_push(&stack, ((Pair){1, 1}));
-  while (stack.len && m->all) {
+  for (; stack.len && m->all && m->steps; m->steps--) {
     Pair p = vec_pop(&stack);
     if (p.a != p.b && disjoint(&m->node[p.a], &m->node[p.b])) continue;
     if (p.a >= m->leaves) {
@@ -116,7 +119,9 @@ static void match_all(Matcher *m)
     vec_push(&stack, ((Pair){2 * p.a + 1, 2 * p.b + 1}));
     if (p.a != p.b) vec_push(&stack, ((Pair){2 * p.a + 1, 2 * p.b}));
   }
+  bool done = !stack.len || !m->all;
   vec_free(&stack);
+  return done;
 }
 
 static void build(Matcher *m, const double *xy, const uint32_t *end, size_t n)
@@ -135,7 +140,9 @@ static void build(Matcher *m, const double *xy, const uint32_t *end, size_t n)
     size_t i = order[k];
     const double *a = xy + 2 * (size_t)end[2 * i], *b = xy + 2 * (size_t)end[2 * i + 1];
     if (a[0] == b[0] && a[1] == b[1]) continue;
-    m->seg[m->n++] = (Seg){{a[0], a[1], b[0], b[1]}, {end[2 * i], end[2 * i + 1]}, (uint32_t)i};
+    bool back = lex_compare(a, b) > 0;
+    const double *p = back ? b : a, *q = back ? a : b;
+    m->seg[m->n++] = (Seg){{p[0], p[1], q[0], q[1]}, {end[2 * i + back], end[2 * i + !back]}, (uint32_t)i};
   }
   free(order);
   for (m->leaves = 1; m->leaves * LEAF < m->n;) m->leaves *= 2;
@@ -161,15 +168,29 @@ static int by_segments(const void *p, const void *q)
   return x->b < y->b ? -1 : x->b > y->b;
 }
 
+void intersect__order(SegPairVec *out, size_t from)
+{
+  if (out->len <= from) return;
+  qsort(out->data + from, out->len - from, sizeof *out->data, by_segments);
+  size_t n = from + 1;
+  for (size_t i = n; i < out->len; i++)
+    if (by_segments(&out->data[i], &out->data[n - 1]) != 0) out->data[n++] = out->data[i];
+  out->len = n;
+}
+
 bool segments_intersect(const double *xy, const uint32_t *end, size_t n, size_t most, SegPairVec *out)
 {
   if (n < 2) return true;
   size_t before = out->len;
-  Matcher m = {.most = before + most, .out = out, .all = true};
+  Matcher m = {.most = before + most, .out = out, .all = true, .steps = STEPS_PER_SEGMENT * (uint64_t)n};
   build(&m, xy, end, n);
-  match_all(&m);
+  if (match_all(&m)) {
+    intersect__order(out, before);
+  } else {
+    out->len = before;
+    m.all = intersect__by_slabs(m.seg, m.n, most, out);
+  }
   free(m.seg);
   free(m.node);
-  if (out->len > before) qsort(out->data + before, out->len - before, sizeof *out->data, by_segments);
   return m.all;
 }

@@ -20,7 +20,8 @@ typedef Vec(SegPair) SegPairVec;
 // Append to out, ordered by (a, b), the pairs among n segments that have a common point other than a common end. Segment i joins
 // the vertices end[2i] and end[2i+1] of xy. Exact for all finite doubles. Segments whose ends coincide are left out. At most `most`
 // pairs are looked for; false if there may be more. A hierarchy of octagons over the segments in Hilbert order is matched
-// against itself: O(n log n + k) unless many long segments lie side by side closer than their length over a thousand.
+// against itself; where that takes more than some hundred steps a segment (long segments side by side) a tree of slabs is searched
+// instead. O((n log n + k) log n).
 bool segments_intersect(const double *xy, const uint32_t *end, size_t n, size_t most, SegPairVec *out);
 
 #ifdef __cplusplus

@@ -44,6 +44,9 @@ int cross_sign(const double *a, const double *b, const double *c, const double *
 // +1 if p is strictly inside the circle with diameter ab, 0 on it, -1 outside: the sign of -(a - p).(b - p).
 int in_diametral_circle(const double *a, const double *b, const double *p);
 
+// As segments_order_at, which tries a filter first.
+int segments_order_at_mp(const double *a, const double *b, const double *c, const double *d, double u, double v);
+
 // How the closed segments ab and cd meet.
 typedef enum {
   SEG_DISJOINT, // no common point
@@ -102,6 +105,21 @@ static inline int incircle_count(const double *a, const double *b, const double 
 static inline int incircle(const double *a, const double *b, const double *c, const double *d)
 {
   return incircle_count(a, b, c, d, NULL);
+}
+
+// Which of the segments ab and cd is higher where x = (u + v) / 2: +1 if ab, 0 if they meet there. Requires a[0] < b[0], c[0] < d[0], and
+// x within both. The filter: a height y = ay + (by - ay) (x - ax) / (bx - ax) is computed within 8 eps times (|ay| + |by|) times
+// 1 + (|x| + |ax|) / (bx - ax), as each of its 6 operations loses eps of that at most.
+static inline int segments_order_at(const double *a, const double *b, const double *c, const double *d, double u, double v)
+{
+  double x = u / 2 + v / 2, w0 = b[0] - a[0], w1 = d[0] - c[0];
+  double y0 = a[1] + (b[1] - a[1]) * ((x - a[0]) / w0), y1 = c[1] + (d[1] - c[1]) * ((x - c[0]) / w1);
+  double bound = 0x1p-49 * ((fabs(a[1]) + fabs(b[1])) * (1 + (fabs(x) + fabs(a[0])) / w0) +
+                            (fabs(c[1]) + fabs(d[1])) * (1 + (fabs(x) + fabs(c[0])) / w1)) + 0x1p-1000;
+  double gap = y0 - y1;
+  if (LIKELY(gap > bound)) return 1;
+  if (LIKELY(-gap > bound)) return -1;
+  return segments_order_at_mp(a, b, c, d, u, v);
 }
 
 // incircle with ties broken by lifting every point by an infinitesimal of its own, the lexicographically larger point

@@ -101,3 +101,39 @@ int incircle_mp(const double *a, const double *b, const double *c, const double 
   mpfr_prec_t bits = precision_for(q, 8, 4);
   return incircle_fixed(a, b, c, d, (int)MAX(bits, (mpfr_prec_t)64));
 }
+
+// y = (ay 2 (bx - ax) + (by - ay) (u + v - 2 ax)) / (2 (bx - ax)): the numerator, and bx - ax.
+static void height(mpfr_t y, mpfr_t w, mpfr_t t, const double *a, const double *b, double u, double v)
+{
+  difference(w, b[0], a[0]);
+  mpfr_mul_d(y, w, a[1], MPFR_RNDN);
+  mpfr_mul_ui(y, y, 2, MPFR_RNDN);
+  mpfr_set_d(t, u, MPFR_RNDN);
+  mpfr_add_d(t, t, v, MPFR_RNDN);
+  mpfr_sub_d(t, t, a[0], MPFR_RNDN);
+  mpfr_sub_d(t, t, a[0], MPFR_RNDN);
+  mpfr_mul_d(t, t, b[1], MPFR_RNDN);
+  mpfr_add(y, y, t, MPFR_RNDN);
+  mpfr_set_d(t, u, MPFR_RNDN);
+  mpfr_add_d(t, t, v, MPFR_RNDN);
+  mpfr_sub_d(t, t, a[0], MPFR_RNDN);
+  mpfr_sub_d(t, t, a[0], MPFR_RNDN);
+  mpfr_mul_d(t, t, a[1], MPFR_RNDN);
+  mpfr_sub(y, y, t, MPFR_RNDN);
+}
+
+int segments_order_at_mp(const double *a, const double *b, const double *c, const double *d, double u, double v)
+{
+  double q[10] = {a[0], a[1], b[0], b[1], c[0], c[1], d[0], d[1], u, v};
+  mpfr_prec_t bits = precision_for(q, 10, 3) + 16; // each factor below is less than eight times a coordinate
+  bits = MAX(bits, (mpfr_prec_t)64);
+  mpfr_t y0, y1, w0, w1, t;
+  mpfr_inits2(bits, y0, y1, w0, w1, t, (mpfr_ptr)0);
+  height(y0, w0, t, a, b, u, v);
+  height(y1, w1, t, c, d, u, v);
+  mpfr_mul(y0, y0, w1, MPFR_RNDN);
+  mpfr_mul(y1, y1, w0, MPFR_RNDN);
+  int s = mpfr_cmp(y0, y1);
+  mpfr_clears(y0, y1, w0, w1, t, (mpfr_ptr)0);
+  return (s > 0) - (s < 0);
+}

@@ -19,6 +19,25 @@ static void coast_point(uint32_t i, uint32_t n, double *x, double *y)
   *y = r * sin(a);
 }
 
+// n long segments side by side, a millionth apart, of two directions that do not meet; and one across all.
+static void bench_long(uint32_t n)
+{
+  double *xy = mem_alloc(4 * (n + 1) * sizeof *xy);
+  uint32_t *end = mem_alloc(2 * (n + 1) * sizeof *end);
+  for (uint32_t i = 0; i <= n; i++) {
+    double y = 1e-6 * i, across = i == n;
+    memcpy(xy + 4 * i, (double[4]){0.3 * across, across ? -1 : y, across ? 0.4 : 1, across ? 2 : y + (i < n / 2 ? 0.3 : 0.31)}, 4 * sizeof *xy);
+    end[2 * i] = 2 * i, end[2 * i + 1] = 2 * i + 1;
+  }
+  SegPairVec pairs = {0};
+  double t = time_cpu();
+  segments_intersect(xy, end, n + 1, 10000000, &pairs);
+  printf("crossings of %7u long side by side   %8.3f s cpu, %zu pairs\n", n, time_cpu() - t, pairs.len);
+  vec_free(&pairs);
+  free(xy);
+  free(end);
+}
+
 static void bench_crossings(void)
 {
   enum { N = 1000000 };
@@ -152,6 +171,9 @@ static void bench_coast(uint32_t n)
 int main(void)
 {
   bench_crossings();
+  bench_long(10000);
+  bench_long(100000);
+  bench_long(1000000);
   bench_coast(100000);
   return 0;
 }
