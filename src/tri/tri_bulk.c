@@ -12,7 +12,8 @@ static inline int turn(Bulk *m, VertId l, VertId r, VertId p)
   return orient2d_count(bulk_at(m, l), bulk_at(m, r), bulk_at(m, p), &m->count);
 }
 
-// The lower common tangent of the hulls. *hl: the hull edge that leaves its vertex on the left; *hr: on the right.
+// The lower common tangent of the hulls. *hl: the hull edge that leaves its vertex on the left; *hr: on the
+// right.
 static void tangent(Bulk *m, VertId *l, EdgeId *hl, VertId *r, EdgeId *hr)
 {
   for (bool moved = true; moved;) {
@@ -42,8 +43,8 @@ static inline void copy_extreme(BulkHull *to, const BulkHull *from, int i)
   to->e[i] = from->e[i];
 }
 
-// The hull of the union. l and r are the upper vertex on the left and the lower one on the right, where hull edges are new:
-// hl and hr, or NONE.
+// The hull of the union. l and r are the upper vertex on the left and the lower one on the right, where hull
+// edges are new: hl and hr, or NONE.
 static inline BulkHull unite(const BulkHull *hull_l, const BulkHull *hull_r, int axis, VertId l, EdgeId hl, VertId r,
                              EdgeId hr)
 {
@@ -66,8 +67,8 @@ static inline BulkHull unite(const BulkHull *hull_l, const BulkHull *hull_r, int
 
 // ---- the tree of merges ---------------------------------------------------------------------------------------------
 
-// A part whose halves are being built: where they meet, their hulls, and how many are missing. Then, while they are being
-// merged: which is left along the axis, and the hull edges at the lower common tangent.
+// A part whose halves are being built: where they meet, their hulls, and how many are missing. Then, while
+// they are being merged: which is left along the axis, and the hull edges at the lower common tangent.
 typedef struct {
   VertId mid;
   uint32_t parent; // 2 node + which, NONE: it is the whole
@@ -134,11 +135,12 @@ static void advance(Bulk *m, struct BulkWork *w, Part p)
   vec_push(&w->parts, ((Part){p.lo, mid, 2 * k}));
 }
 
-// L lies strictly below R along the axis. Seen with the axis to the right; with axis y that is a turn by a quarter.
+// L lies strictly below R along the axis. Seen with the axis to the right; with axis y that is a turn by a
+// quarter.
 static void start(Bulk *m, Node *d, BulkRise *rise)
 {
-  // Halves of a cell are separated by a line, along the axis on which their keys differ. Without branches, which would
-  // be mispredicted.
+  // Halves of a cell are separated by a line, along the axis on which their keys differ. Without branches,
+  // which would be mispredicted.
   const BulkHull *p = &d->hull[0], *q = &d->hull[1];
   int x = p->at[1] < q->at[0], x_back = q->at[1] < p->at[0], y_back = q->at[3] < p->at[2];
   int axis = !(x | x_back), back = x_back | (axis & y_back);

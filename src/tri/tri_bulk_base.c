@@ -88,7 +88,8 @@ static BulkHull pair(Bulk *m, VertId a)
                     {3 * t - 3 * right, 3 * s + 3 * right, 3 * t - 3 * up, 3 * s + 3 * up}};
 }
 
-// The extremes of a convex polygon of n vertices; hull edges g, g + 3 .. leave them. Without branches, but for ties.
+// The extremes of a convex polygon of n vertices; hull edges g, g + 3 .. leave them. Without branches, but
+// for ties.
 static inline BulkHull polygon_extremes(const Bulk *m, const VertId *v, uint32_t n, EdgeId g)
 {
   BulkHull x = {.v = {0}};
@@ -167,43 +168,60 @@ static inline int sign_of_difference(double l, double r)
   return (det > tol) - (-det > tol);
 }
 
+// Signs of the orientations of p0 p1 p3, p1 p2 p3, p2 p0 p3 and p0 p1 p2, none 0, and of the incircle
+// determinant of p0, p1, p2 and p3, ties broken. false: three are on one line.
+typedef struct {
+  int ab, bc, ca, abc, in;
+} FourSigns;
+
+static NOINLINE bool exact_four(Bulk *m, const double *const p[4], FourSigns *s)
+{
+  s->ab = orient2d_count(p[0], p[1], p[3], &m->count), s->bc = orient2d_count(p[1], p[2], p[3], &m->count);
+  s->ca = orient2d_count(p[2], p[0], p[3], &m->count), s->abc = orient2d_count(p[0], p[1], p[2], &m->count);
+  if (!(s->ab & s->bc & s->ca & s->abc)) return false;
+  bool back = s->abc < 0;
+  s->in = incircle_perturbed(p[back], p[!back], p[2], p[3], &m->count) * s->abc;
+  return true;
+}
+
+static inline bool signs_of_four(Bulk *m, const double *const p[4], FourSigns *s)
+{
+  double ax = p[0][0] - p[3][0], ay = p[0][1] - p[3][1], bx = p[1][0] - p[3][0], by = p[1][1] - p[3][1];
+  double cx = p[2][0] - p[3][0], cy = p[2][1] - p[3][1], al = ax * ax + ay * ay, bl = bx * bx + by * by, cl = cx * cx + cy * cy;
+  double det = al * (bx * cy - cx * by) + bl * (cx * ay - ax * cy) + cl * (ax * by - bx * ay), sum = al + bl + cl;
+  double tol = INCIRCLE_BOUND * (sum * sum) + (INCIRCLE_TINY * sum + INCIRCLE_TINY);
+  s->ab = sign_of_difference(ax * by, ay * bx);
+  s->bc = sign_of_difference(bx * cy, by * cx);
+  s->ca = sign_of_difference(cx * ay, cy * ax);
+  s->abc = sign_of_difference((p[0][0] - p[2][0]) * (p[1][1] - p[2][1]), (p[0][1] - p[2][1]) * (p[1][0] - p[2][0]));
+  s->in = (det > tol) - (-det > tol);
+  return LIKELY(s->ab & s->bc & s->ca & s->abc & s->in) || exact_four(m, p, s); // -1 and 1 have the lowest bit set
+}
+
 bool bulk_four(Bulk *m, VertId lo, BulkHull *hull)
 {
-  const double *p[4] = {bulk_at(m, lo), bulk_at(m, lo + 1), bulk_at(m, lo + 2), bulk_at(m, lo + 3)};
-  double ax = p[0][0] - p[3][0], ay = p[0][1] - p[3][1], bx = p[1][0] - p[3][0], by = p[1][1] - p[3][1];
-  double cx = p[2][0] - p[3][0], cy = p[2][1] - p[3][1];
-  int ab = sign_of_difference(ax * by, ay * bx), bc = sign_of_difference(bx * cy, by * cx);
-  int ca = sign_of_difference(cx * ay, cy * ax);
-  int abc = sign_of_difference((p[0][0] - p[2][0]) * (p[1][1] - p[2][1]), (p[0][1] - p[2][1]) * (p[1][0] - p[2][0]));
-  double al = ax * ax + ay * ay, bl = bx * bx + by * by, cl = cx * cx + cy * cy, s = al + bl + cl;
-  double det = al * (bx * cy - cx * by) + bl * (cx * ay - ax * cy) + cl * (ax * by - bx * ay);
-  double tol = INCIRCLE_BOUND * (s * s) + (INCIRCLE_TINY * s + INCIRCLE_TINY);
-  int in = (det > tol) - (-det > tol);
-  if (UNLIKELY(!(ab & bc & ca & abc & in))) { // the lowest bit of -1 and 1
-    ab = orient2d_count(p[0], p[1], p[3], &m->count), bc = orient2d_count(p[1], p[2], p[3], &m->count);
-    ca = orient2d_count(p[2], p[0], p[3], &m->count), abc = orient2d_count(p[0], p[1], p[2], &m->count);
-    if (!(ab & bc & ca & abc)) return false;
-    in = abc > 0 ? incircle_perturbed(p[0], p[1], p[2], p[3], &m->count) : -incircle_perturbed(p[1], p[0], p[2], p[3], &m->count);
-  }
-  // a, b, c counterclockwise; exchange a and b if they are not. d is right of which of ab, bc, ca, and in their circle?
-  bool back = abc < 0;
+  FourSigns s;
+  if (!signs_of_four(m, (const double *[4]){bulk_at(m, lo), bulk_at(m, lo + 1), bulk_at(m, lo + 2), bulk_at(m, lo + 3)}, &s))
+    return false;
+  // a, b, c counterclockwise; exchange a and b if they are not. d is right of which of ab, bc, ca, and in
+  // their circle?
+  bool back = s.abc < 0;
   const VertId v[4] = {lo + back, lo + !back, lo + 2, lo + 3};
-  unsigned right_ab = ab * abc < 0, right_bc = (back ? ca : bc) * abc < 0, right_ca = (back ? bc : ca) * abc < 0;
-  unsigned beyond = right_ab | right_bc << 1 | right_ca << 2, inside = in * abc > 0;
-  // The hull and the vertex inside; or the quadrilateral from one end of its diagonal.
-  static const uint8_t fan[8][4] = {
-    [0] = {0, 1, 2, 3}, [3] = {0, 3, 2, 1}, [5] = {3, 1, 2, 0}, [6] = {0, 1, 3, 2},
-  };
+  unsigned ab = s.ab * s.abc < 0, bc = (back ? s.ca : s.bc) * s.abc < 0, ca = (back ? s.bc : s.ca) * s.abc < 0;
+  unsigned beyond = ab | bc << 1 | ca << 2, inside = s.in * s.abc > 0;
+  // The quadrilateral from one end of its diagonal; or the hull and the vertex inside.
   static const uint8_t quad[5][2][4] = {
     [1] = {{0, 3, 1, 2}, {3, 1, 2, 0}}, [2] = {{1, 3, 2, 0}, {3, 2, 0, 1}}, [4] = {{2, 3, 0, 1}, {3, 0, 1, 2}},
   };
-  const TriId t = 2 * lo;
+  static const uint8_t fan[8][4] = {
+    [0] = {0, 1, 2, 3}, [3] = {0, 3, 2, 1}, [5] = {3, 1, 2, 0}, [6] = {0, 1, 3, 2},
+  };
   if (beyond == 1 || beyond == 2 || beyond == 4) {
     const uint8_t *q = quad[beyond][inside];
-    *hull = set_quad(m, t, (VertId[4]){v[q[0]], v[q[1]], v[q[2]], v[q[3]]});
+    *hull = set_quad(m, 2 * lo, (VertId[4]){v[q[0]], v[q[1]], v[q[2]], v[q[3]]});
   } else {
     const uint8_t *q = fan[beyond];
-    *hull = set_fan(m, t, (VertId[3]){v[q[0]], v[q[1]], v[q[2]]}, v[q[3]]);
+    *hull = set_fan(m, 2 * lo, (VertId[3]){v[q[0]], v[q[1]], v[q[2]]}, v[q[3]]);
   }
   return true;
 }

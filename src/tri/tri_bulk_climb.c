@@ -8,10 +8,11 @@
 #include <immintrin.h>
 #endif
 
-// Nearly all time of tri_build is spent here. A step of a climb waits for the one before it: three loads, each of them from where
-// the one before says, and a long sum; and then nobody can predict what it will do: left or right, is an edge peeled? So several
-// merges climb at once, one step of each in turn. All tests of the steps of a group of merges are computed in the lanes of
-// vectors, two for each merge (2k left, 2k + 1 right), whatever their outcome; the side is a number, not a branch.
+// Nearly all time of tri_build is spent here. A step of a climb waits for the one before it: three loads,
+// each of them from where the one before says, and a long sum; and then nobody can predict what it will do:
+// left or right, is an edge peeled? So several merges climb at once, one step of each in turn. All tests of
+// the steps of a group of merges are computed in the lanes of vectors, two for each merge (2k left, 2k + 1
+// right), whatever their outcome; the side is a number, not a branch.
 enum { GROUP = 4, MERGES = 8, SIDES = 2 * MERGES, GROUP_SIDES = 2 * GROUP };
 
 #if defined __AVX512F__
@@ -46,9 +47,10 @@ static inline unsigned greater(V a, V b)
 #endif
 }
 
-// The state of all climbs. For each side: an end of the base, with coordinates bx, by; the hull edge h above it, from the next
-// vertex v (x, y) to the base's left end, or from its right end to v; and the apex z (zx, zy) of the triangle behind h. If that
-// is a ghost, z's test is lost by `out`, which then is infinite, else 0. Bits of has, one a side: there is a hull edge.
+// The state of all climbs. For each side: an end of the base, with coordinates bx, by; the hull edge h above
+// it, from the next vertex v (x, y) to the base's left end, or from its right end to v; and the apex z (zx,
+// zy) of the triangle behind h. If that is a ghost, z's test is lost by `out`, which then is infinite, else
+// 0. Bits of has, one a side: there is a hull edge.
 typedef struct {
   double x[SIDES], y[SIDES], zx[SIDES], zy[SIDES], out[SIDES], bx[SIDES], by[SIDES];
   VertId end[SIDES], v[SIDES], z[SIDES];
@@ -73,8 +75,9 @@ static inline void look(const Bulk *m, Climb *c, uint32_t i, EdgeId h)
   c->out[i] = z == TRI_INF ? (double)INFINITY : 0.0;
 }
 
-// The hull edge of side i goes: the triangle behind it, l -> v -> z, and its ghost are flipped; h becomes z -> l, and the ghost on
-// v -> z takes the triangle's slot. On the right h: r -> v becomes r -> z, and the slot has z -> v.
+// The hull edge of side i goes: the triangle behind it, l -> v -> z, and its ghost are flipped; h becomes z
+// -> l, and the ghost on v -> z takes the triangle's slot. On the right h: r -> v becomes r -> z, and the
+// slot has z -> v.
 static inline void peel(Bulk *m, Climb *c, uint32_t i)
 {
   uint32_t *vert = m->vert, *twin = m->twin, s = i & 1;
@@ -94,7 +97,8 @@ static inline void peel(Bulk *m, Climb *c, uint32_t i)
   look(m, c, i, h);
 }
 
-// The base moves up to the v of side i: ghost v -> l becomes the triangle (v, l, r), or r -> v becomes (r, v, l).
+// The base moves up to the v of side i: ghost v -> l becomes the triangle (v, l, r), or r -> v becomes (r, v,
+// l).
 static inline void go(Bulk *m, Climb *c, uint32_t i)
 {
   uint32_t s = i & 1;
@@ -126,8 +130,8 @@ static NOINLINE Action decide(Bulk *m, const Climb *c, uint32_t k)
   return incircle_perturbed(l, r, bulk_at(m, c->v[i]), bulk_at(m, c->v[j]), &m->count) > 0 ? GO_RIGHT : GO_LEFT;
 }
 
-// Signs of the tests, a bit for each side of a group: is v left of l -> r; is z in the circle of l, r, v; is the other side's v
-// in the circle of this one's. Yes and no; neither: the filter cannot tell.
+// Signs of the tests, a bit for each side of a group: is v left of l -> r; is z in the circle of l, r, v; is
+// the other side's v in the circle of this one's. Yes and no; neither: the filter cannot tell.
 typedef struct {
   unsigned up, not_up, in, not_in, other, not_other;
 } Signs;
@@ -199,7 +203,8 @@ static void begin(const Bulk *m, Climb *c, uint32_t k, const BulkRise *r)
   }
 }
 
-// Merge k is done, if there is one; and a new one begins, if there is one. Returns by how much the number of merges changes.
+// Merge k is done, if there is one; and a new one begins, if there is one. Returns by how much the number of
+// merges changes.
 static NOINLINE int change(Bulk *m, Climb *c, uint32_t k)
 {
   int change = 0;

@@ -5,9 +5,10 @@
 #include "base/rng.h"
 #include "tri/tri_bulk.h"
 
-// A side a -> b of the growing cavity: the half-edge g beyond it, its ends and the apex d beyond, relative to the new point,
-// with their squared distances from it; and whether the point is in the circle beyond. That is found when the side
-// appears, before it is its turn, so that the tests of the two sides of one triangle run side by side.
+// A side a -> b of the growing cavity: the half-edge g beyond it, its ends and the apex d beyond, relative to
+// the new point, with their squared distances from it; and whether the point is in the circle beyond. That is
+// found when the side appears, before it is its turn, so that the tests of the two sides of one triangle run
+// side by side.
 typedef enum { BEYOND_OUT, BEYOND_IN, BEYOND_UNSURE, BEYOND_GHOST } Beyond;
 typedef struct {
   EdgeId g;
@@ -137,9 +138,9 @@ static TriId walk(Bulk *m, const double *p, EdgeId e)
   return e / 3;
 }
 
-// Insert vertex v with two fresh slots, starting from the finite triangle of e. Triangles of the cavity are replaced while it
-// is still being explored: a side that turns out to be on its boundary gets its new triangle at once. Returns a half-edge of
-// a finite new triangle.
+// Insert vertex v with two fresh slots, starting from the finite triangle of e. Triangles of the cavity are
+// replaced while it is still being explored: a side that turns out to be on its boundary gets its new
+// triangle at once. Returns a half-edge of a finite new triangle.
 static EdgeId insert(Bulk *m, VertId v, EdgeId e, TriId fresh)
 {
   const double *p = bulk_at(m, v);
@@ -207,8 +208,8 @@ static void turn_ghost(Bulk *m, TriId t)
   }
 }
 
-// Of the new triangles around the vertex just inserted, one in whose sector q lies, if it is finite; else e, one of them. Their
-// half-edges 3t are on the boundary of the cavity.
+// Of the new triangles around the vertex just inserted, one in whose sector q lies, if it is finite; else e,
+// one of them. Their half-edges 3t are on the boundary of the cavity.
 static EdgeId facing(Bulk *m, EdgeId e, const double *q)
 {
   const double *p = bulk_at(m, m->vert[e + 2]);
