@@ -78,6 +78,9 @@ QuadScore quad__score(const Vec2 *xy, const QuadSize *size, const uint32_t *corn
 // than two steps search longer. True if v moved.
 bool quad__improve(Vec2 *xy, const QuadSize *size, uint32_t v, const uint32_t *corner, size_t n, int steps, double floor);
 
+// The same for the worst element alone, at length, and although some may stay or become turned over.
+bool quad__untangle(Vec2 *xy, const QuadSize *size, uint32_t v, const uint32_t *corner, size_t n);
+
 // Elements of less skew than this may lose shape to the gain of others, but never beyond the worst of the whole mesh: that is the floor.
 static const double QUAD_GOOD_SHAPE = 0.5;
 double quad__floor(const QuadMesh *m);

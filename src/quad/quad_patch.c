@@ -191,8 +191,7 @@ static bool patch_valid(const QuadPatch *p, const Vec2 *xy)
   return true;
 }
 
-// Every vertex has room for the elements it is to have.
-static bool has_room(const QuadEdit *d, const QuadPatch *p)
+bool quad__patch_has_room(const QuadEdit *d, const QuadPatch *p)
 {
   for (size_t i = 0; i < 4 * p->n; i++) {
     uint32_t v = p->corner[i];
@@ -229,7 +228,7 @@ static void take_out(QuadEdit *d, uint32_t v, uint32_t e)
   d->count.data[v]--;
 }
 
-static void commit(QuadEdit *d, const QuadPatch *p)
+void quad__patch_commit(QuadEdit *d, const QuadPatch *p)
 {
   for (size_t i = 0; i < p->n; i++) {
     const uint32_t *v = &d->m->vertex.data[4 * (size_t)p->element[i]];
@@ -268,7 +267,7 @@ bool quad__patch_end(QuadEdit *d, QuadPatch *p)
   for (size_t i = 0; i < p->n; i++)
     limit -= ELEMENT * ((d->m->vertex.data[4 * (size_t)p->element[i]] != NONE) - (p->corner[4 * i] != NONE));
   const bool bad = p->before.worst > BAD;
-  bool keep = false, moved = has_room(d, p);
+  bool keep = false, moved = quad__patch_has_room(d, p);
   for (int sweep = 0; sweep <= SWEEPS && moved && !keep; sweep++) {
     QuadScore now = patch_score(p, d->m);
     bool better = now.worst <= fmax(p->before.worst, d->floor) && now.energy < limit - GAIN;
@@ -276,7 +275,7 @@ bool quad__patch_end(QuadEdit *d, QuadPatch *p)
     if (!bad && now.energy > limit + (sweep ? DOUBTFUL : HOPELESS)) break;
     moved = !keep && sweep < SWEEPS && find_places(d, p);
   }
-  if (keep) commit(d, p);
+  if (keep) quad__patch_commit(d, p);
   else
     for (size_t i = 0; i < p->ncore; i++) xy[p->core[i]] = p->old[i];
   return keep;

@@ -56,6 +56,10 @@ bool quad__patch_begin(const QuadEdit *d, QuadPatch *p, const uint32_t *core, si
 // Where the corners of element e of the patch are written.
 uint32_t *quad__patch_element(QuadPatch *p, uint32_t e);
 void quad__patch_replace(QuadPatch *p, uint32_t from, uint32_t to);
+// Has every vertex room for the elements it is to have?
+bool quad__patch_has_room(const QuadEdit *d, const QuadPatch *p);
+// Make the elements what they are to be, and enqueue all vertices of them, whatever that is worth.
+void quad__patch_commit(QuadEdit *d, const QuadPatch *p);
 // Let the core find better places, then keep the new elements if they are better by valences and energy, and none is worse than the worst
 // was or than the floor; or if the worst was bad and has got better. Else take everything back. True if kept.
 bool quad__patch_end(QuadEdit *d, QuadPatch *p);

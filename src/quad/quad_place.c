@@ -7,7 +7,7 @@
 // What an edge of a wrong length costs beside an element of a wrong shape, where a vertex is moved and where sets of elements are compared.
 // Larger weights lose angles, smaller ones sizes.
 static const double MOVE_WEIGHT = 0.15, LENGTH_WEIGHT = 0.2, LEAST_GAIN = 1e-6;
-enum { QUICK_STEPS = 2, MAX_WINGS = 64 };
+enum { QUICK_STEPS = 2, UNTANGLE_STEPS = 4, MAX_WINGS = 64 };
 
 // An element about the vertex: its corners after (b), before (a) and, of a quad, opposite (c).
 typedef struct {
@@ -236,4 +236,15 @@ bool quad__improve(Vec2 *xy, const QuadSize *size, uint32_t v, const uint32_t *c
       return false;
     }
   return true;
+}
+
+bool quad__untangle(Vec2 *xy, const QuadSize *size, uint32_t v, const uint32_t *corner, size_t n)
+{
+  Star s;
+  if (!star_init(&s, xy, size, v, corner, n)) return false;
+  star_score(&s, s.at, 0, true, &s.best);
+  bool moved = star_try(&s, neighbour_mean(&s), 0);
+  moved |= search(&s, UNTANGLE_STEPS, 0);
+  xy[v] = s.at;
+  return moved;
 }

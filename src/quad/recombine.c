@@ -246,6 +246,17 @@ static void fill_bad(QuadMesh *m, const QuadParams *p, QuadReport *report)
   if (n && p->smoothing) quad_smooth(m, p->smoothing);
 }
 
+// What is not convex is cut, and the triangles are brought together by other ways.
+static void cut_bad(QuadMesh *m, const QuadParams *p, QuadReport *report)
+{
+  size_t n = quad_cut_bad(m, 0);
+  report->cut += n;
+  if (!n) return;
+  size_t before = report->repaired;
+  quad_repair(m, report);
+  if (report->repaired > before && p->smoothing) quad_smooth(m, p->smoothing);
+}
+
 static void scale_sizes(QuadMesh *m, double factor)
 {
   for (size_t v = 0; v < m->size.len; v++) {
@@ -273,15 +284,19 @@ void quad_recombine(QuadMesh *m, const QuadParams *p, QuadReport *report)
   }
   if (p->cleanup) quad_clean(m, p->cleanup, report);
   if (p->smoothing) quad_smooth(m, p->smoothing);
-  if (p->algorithm != QUAD_GREEDY && !split) fill_bad(m, p, report);
-  report->cut = quad_cut_bad(m, split ? 0 : p->min_eta);
-  if (split) {
+  if (p->algorithm == QUAD_GREEDY) {
+    report->cut = quad_cut_bad(m, p->min_eta);
+  } else if (!split) {
+    fill_bad(m, p, report);
+    cut_bad(m, p, report);
+  } else {
+    report->cut = quad_cut_bad(m, 0);
     quad_split_all(m, p);
     scale_sizes(m, 0.5);
     if (p->cleanup) quad_clean(m, p->cleanup, report);
     if (p->smoothing) quad_smooth(m, p->smoothing);
     fill_bad(m, p, report);
-    report->cut += quad_cut_bad(m, p->min_eta);
+    cut_bad(m, p, report);
   }
   for (size_t e = 0; e < quad_mesh_elements(m); e++) report->inverted += !quad__convex(m->xy.data, &m->vertex.data[4 * e]);
   report->triangles = quad_mesh_triangles(m);
