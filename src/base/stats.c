@@ -17,6 +17,7 @@ static double seconds(clockid_t id)
 
 double time_wall(void) { return seconds(CLOCK_MONOTONIC); }
 double time_cpu(void) { return seconds(CLOCK_PROCESS_CPUTIME_ID); }
+double time_thread(void) { return seconds(CLOCK_THREAD_CPUTIME_ID); }
 
 void stage_begin(Stats *s, const char *name)
 {

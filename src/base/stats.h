@@ -27,5 +27,6 @@ void stage_end(Stats *s);
 // Seconds since some fixed moment: of the clock, and of this process's processor time.
 double time_wall(void);
 double time_cpu(void);
+double time_thread(void); // of this thread alone
 
 #endif

@@ -99,6 +99,7 @@ static void mesh_faces(Job *j, const SizeField *size, EdgeNodes *en, const Bound
   stage_begin(&j->stats, "mesh 2D");
   j->failed_faces = joint ? mesh2d_joint_run(&in, j->curves, en, face) : mesh2d_run(&in, en, face);
   stage_end(&j->stats);
+  for (size_t k = 0; k < n; k++) j->matching_seconds += face[k].matching_seconds;
   if (!j->failed_faces || j->cli->keep_going) {
     stage_begin(&j->stats, "assemble");
     j->mesh = mesh_assemble(j->model, j->curves, en, face, &j->options);

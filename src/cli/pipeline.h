@@ -37,6 +37,7 @@ typedef struct {
   int mesh_dim;      // of the last meshing; -1: none
   bool reshaped;     // and changed since by RefineMesh, SetOrder, RecombineMesh
   size_t failed_faces;
+  double matching_seconds; // processor time of all matchings of triangles to quadrangles
   int threads;
   bool ended;        // the script said Exit
   bool reported;     // the report was printed

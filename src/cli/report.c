@@ -9,6 +9,7 @@
 #include "base/json.h"
 #include "base/number.h"
 #include "mesh/mesh_hash.h"
+#include "mesh/mesh_index.h"
 #include "mesh/mesh_shapes.h"
 #include "mesh/mesh_stats.h"
 
@@ -16,6 +17,7 @@ typedef struct {
   const Job *job;
   MeshStats stats;
   MeshShapes shapes; // empty where nothing asks for it
+  MeshIndices indices;
   char hash[MESH_HASH_TEXT];
 } Report;
 
@@ -57,6 +59,9 @@ static size_t figures(const Report *r, Figure f[FIGURES])
       {"max_edge", s->edge_max},
       {"tau", s->tau},
       {"irregular", (double)s->irregular},
+      {"index_sum", r->indices.faces ? 0.25 * (double)r->indices.sum4 : none},
+      {"euler", r->indices.faces ? (double)r->indices.euler : none},
+      {"matching_seconds", r->job->matching_seconds > 0 ? r->job->matching_seconds : none},
       {"min_kappa1", k ? k->min[0] : none},
       {"mean_kappa1", k ? k->mean[0] : none},
       {"min_kappa2", k ? k->min[1] : none},
@@ -192,6 +197,17 @@ static void text_shapes(FILE *f, const MeshShapes *k)
           k->inner_edges);
 }
 
+static void text_indices(FILE *f, const MeshIndices *s)
+{
+  if (!s->faces) return;
+  fprintf(f, "  %-16s", "indices (quads)");
+  for (int i = INDEX_MOST; i >= INDEX_LEAST; i--) {
+    size_t in = s->inside[i - INDEX_LEAST], on = s->boundary[i - INDEX_LEAST];
+    if (i && in + on) fprintf(f, " %+g: %zu inside, %zu on boundaries;", 0.25 * i, in, on);
+  }
+  fprintf(f, " sum %g, Euler characteristic %ld\n", 0.25 * (double)s->sum4, s->euler);
+}
+
 static void print_text(const Report *r, FILE *f)
 {
   const MeshStats *s = &r->stats;
@@ -211,6 +227,8 @@ static void print_text(const Report *r, FILE *f)
   if (full) text_histogram(f, "gamma", &s->gamma);
   if (full) text_histogram(f, "eta", &s->eta);
   if (full) text_histogram(f, "angle", &s->angle);
+  text_indices(f, &r->indices);
+  if (r->job->matching_seconds > 0) fprintf(f, "  %-16s %.4f s\n", "matching", r->job->matching_seconds);
   if (isfinite(s->tau)) fprintf(f, "  %-16s %.4f\n", "efficiency tau", s->tau);
   fprintf(f, "  %-16s %s\n", "hash", r->hash);
   text_time(f, &r->job->stats);
@@ -267,6 +285,21 @@ static void json_histogram(Json *j, const char *name, const MeasureStats *m)
   for (int i = 0; i < STATS_BINS; i++) json_integer(j, NULL, (long long)m->bin[i]);
   json_end(j, ']');
   json_end(j, '}');
+}
+
+static void json_indices(Json *j, const MeshIndices *s)
+{
+  json_begin(j, "indices", '[');
+  for (int i = INDEX_LEAST; i <= INDEX_MOST; i++) {
+    size_t in = s->inside[i - INDEX_LEAST], on = s->boundary[i - INDEX_LEAST];
+    if (!in && !on) continue;
+    json_begin(j, NULL, '{');
+    json_number(j, "index", 0.25 * i);
+    json_integer(j, "inside", (long long)in);
+    json_integer(j, "boundary", (long long)on);
+    json_end(j, '}');
+  }
+  json_end(j, ']');
 }
 
 static void json_worst(Json *j, const MeshStats *s)
@@ -373,6 +406,7 @@ static void print_json(const Report *r, ExitCode status, const ExitCode *verdict
   json_histogram(&j, "eta", &s->eta);
   json_histogram(&j, "angle", &s->angle);
   json_end(&j, '}');
+  json_indices(&j, &r->indices);
   json_worst(&j, s);
   json_tail(&j, r->job, f);
 }
@@ -396,6 +430,7 @@ ExitCode report_print(Job *j, const double *node_size, FILE *f)
   Report r = {.job = j};
   const Cli *c = j->cli;
   mesh_stats_make(&r.stats, j->mesh, node_size);
+  if (c->json || c->full_report || c->require.len || c->report) mesh_indices_make(&r.indices, j->mesh);
   if (c->json || c->full_report || c->require.len) mesh_shapes_make(&r.shapes, j->mesh);
   MeshHash h = mesh_hash(j->mesh, j->options.Mesh_SaveAll);
   mesh_hash_print(h.full, r.hash);

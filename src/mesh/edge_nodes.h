@@ -24,6 +24,7 @@ typedef struct {
   size_t ntri, nquad;
   double *size;         // wanted edge length at each own node; NULL where there was no size field
   bool failed;          // an error was reported
+  double matching_seconds; // processor time of the matching of triangles to quadrangles
 } FaceMesh;
 
 void face_mesh_free(FaceMesh *f);

@@ -153,6 +153,7 @@ bool face_quads(const Tri *t, const FaceGraph *g, const FaceMap *map, const Opti
                  report.cut                              ? "quadrangles there would not be convex"
                  : report.triangles > report.odd_parts ? "there are no pairs that would be convex quadrangles"
                                                          : "its boundary has an odd number of edges");
+  out->matching_seconds = report.matching_seconds;
   uint32_t *id = number_vertices(&w, base, out);
   put_elements(&w.mesh, id, out);
   free(id);

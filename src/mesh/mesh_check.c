@@ -10,7 +10,7 @@
 
 static const char *const rule_names[RULE_COUNT] = {
     "index", "coordinate", "orientation", "degenerate", "duplicate-node", "orphan-node", "duplicate-element", "edge",
-    "t-junction", "hole", "lost-edge", "classification", "group", "euler", "area", "periodic",
+    "t-junction", "hole", "lost-edge", "classification", "group", "euler", "index-sum", "area", "periodic",
 };
 
 const char *mesh_rule_name(MeshRule rule) { return rule_names[rule]; }

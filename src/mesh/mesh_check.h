@@ -20,6 +20,7 @@ typedef enum {
   RULE_CLASSIFICATION,    // nodes of an element are on its entity or on what bounds it
   RULE_GROUP,             // groups exist, have elements, and are not named alike
   RULE_EULER,             // V - E + F of a face is 2 minus the number of its boundary cycles
+  RULE_INDEX_SUM,         // the indices of the vertices of a face of quadrangles add up to that [book eq. 1.9]
   RULE_AREA,              // areas of a face's elements add up to the area within its line elements
   RULE_PERIODIC,          // paired nodes are images of each other
   RULE_COUNT

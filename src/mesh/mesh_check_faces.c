@@ -195,13 +195,14 @@ static long pieces(const Check *c, const CheckedFace *f, bool by_nodes)
 static void check_euler(Check *c, CheckedFace *f, uint32_t *stamp)
 {
   const Mesh *m = c->m;
-  long v = 0, e = 0, n = 0;
+  long v = 0, e = 0, n = 0, borders = 0, sides = 0;
   Map map = {0};
   U32Vec pair = {0};
   for (uint32_t b = f->first; b < f->last; b++) {
     const MeshBlock *k = &m->block[b];
     size_t corners = (size_t)elem_corners(k->type), nodes = (size_t)elem_nodes(k->type), h = c->edges.base[b];
     n += (long)k->n;
+    sides += (long)(k->n * corners);
     for (size_t i = 0; i < k->n; i++) {
       const uint32_t *w = k->node + i * nodes;
       for (size_t a = 0; a < corners; a++, h++) {
@@ -214,6 +215,7 @@ static void check_euler(Check *c, CheckedFace *f, uint32_t *stamp)
           f->bad++;
         else if (twin == NONE) {
           e++;
+          borders++;
           vec_push(&pair, local_index(&map, w[a]));
           vec_push(&pair, local_index(&map, w[a + 1 == corners ? 0 : a + 1]));
         } else if (h < twin)
@@ -233,9 +235,16 @@ static void check_euler(Check *c, CheckedFace *f, uint32_t *stamp)
                   "its elements have %zu boundary cycles, its curves %zu", loops, wanted);
   long chi = v - e + n;
   // Of one piece: 2 - loops. Of several, or of some that meet in a point: what lies between the cycles, and in how many components.
-  if (f->plane && chi != 2 - (long)loops && chi != pieces(c, f, true) + pieces(c, f, false) - (long)loops)
+  bool fits = !f->plane || chi == 2 - (long)loops || chi == pieces(c, f, true) + pieces(c, f, false) - (long)loops;
+  if (!fits)
     check__report(c, RULE_EULER, false, f->entity, NONE, 0, NONE, nowhere,
                   "V - E + F = %ld - %ld + %ld = %ld does not go with %zu boundary cycles", v, e, n, chi, loops);
+  // The indices of the vertices of a face of quadrangles: 4 less the elements and the boundary edges at each [book §5.1.4].
+  long index4 = 4 * v - sides - 2 * borders;
+  long wanted4 = 4 * (fits ? chi : 2 - (long)loops);
+  if (sides == 4 * n && index4 != wanted4)
+    check__report(c, RULE_INDEX_SUM, false, f->entity, NONE, 0, NONE, nowhere,
+                  "the indices of the vertices add up to %ld/4, which should be %ld/4", index4, wanted4);
 }
 
 void check__faces(Check *c)

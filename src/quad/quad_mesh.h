@@ -63,8 +63,8 @@ typedef struct {
   double angle;         // degrees; greedy merges no pair with a corner that differs more from a right angle. Default 45
   int cleanup;          // rounds of topological clean-up, 0: none
   int smoothing;        // passes of smoothing, 0: none
-  double min_eta;       // quads worse than this at the end, and any that is not convex, are replaced by five better ones, or cut
-                        // into two triangles if that cannot be or the method is greedy
+  double min_eta;       // quads worse than this at the end, and any that is not convex, are replaced by five better ones where that can
+                        // be; the greedy method cuts them into two triangles, the others only those that are not convex
   // Where the middle of the boundary or locked edge ab (as numbered in `from`) is on the geometry; the full-quad variants ask
   // it for each such edge. NULL, or false returned: halfway.
   bool (*middle)(void *ctx, uint32_t a, uint32_t b, Vec2 *p);

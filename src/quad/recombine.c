@@ -137,14 +137,14 @@ void quad_match_blossom(QuadMesh *m, QuadReport *report)
   uint32_t *twin = quad_mesh_twins(m);
   quad_dual_init(&d, m, twin);
   report->odd_parts = d.odd_parts;
-  double t = time_cpu();
+  double t = time_thread();
   BlossomGraph g = quad_dual_graph(&d);
   BlossomResult *r = blossom_solve(&g);
   uint32_t where = NONE;
   BlossomVerdict verdict = blossom_check(&g, r, &where);
   if (verdict != BLOSSOM_OK) check_context(blossom_verdict_text(verdict), where);
   CHECK(verdict == BLOSSOM_OK);
-  report->matching_seconds = time_cpu() - t;
+  report->matching_seconds = time_thread() - t;
   report->matching_cost = r->cost;
   for (uint32_t k = 0; k < g.m; k++)
     if (d.side.data[k] != NONE && r->mate_edge[d.edge.data[2 * (size_t)k]] == k) merge(m, d.side.data[k], twin[d.side.data[k]]);

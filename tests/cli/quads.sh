@@ -32,10 +32,14 @@ G
 exits 0 "a quadrangle with a straight corner is replaced by five" "$MESHGEN" -2 coarse.geo -o c.msh -require "triangles=0"
 for method in 1 2 3 4; do
   exits 0 "method $method leaves no triangle on the rectangle of the book" "$MESHGEN" -2 "$ROOT/geo/seed_rectangle.geo" \
-    -setnumber Mesh.RecombineAll 1 -setnumber Mesh.RecombinationAlgorithm $method -o r.msh -require "triangles=0" -require "min_eta>0.45"
+    -setnumber Mesh.RecombineAll 1 -setnumber Mesh.RecombinationAlgorithm $method -o r.msh -require "triangles=0" -require "min_eta>0.45" -require "index_sum=1" -require "euler=1"
 done
+exits 0 "Blossom: sizes and angles" "$MESHGEN" -2 "$ROOT/geo/seed_rectangle.geo" -setnumber Mesh.RecombineAll 1 \
+  -o r.msh -require "tau>=0.88" -require "mean_eta>=0.82" -require "irregular<90"
+exits 0 "algorithm 8: sizes and angles" "$MESHGEN" -2 "$ROOT/geo/seed_rectangle.geo" -setnumber Mesh.RecombineAll 1 -algo delquad \
+  -o r.msh -require "tau>=0.9" -require "mean_eta>=0.86" -require "irregular<70"
 exits 0 "the greedy method leaves few" "$MESHGEN" -2 "$ROOT/geo/seed_rectangle.geo" -setnumber Mesh.RecombineAll 1 \
-  -setnumber Mesh.RecombinationAlgorithm 0 -o r.msh -require "triangles<=200" -require "quads>750"
+  -setnumber Mesh.RecombinationAlgorithm 0 -o r.msh -require "triangles<=200" -require "quads>=800"
 # Double size does not follow holes of four to eight edges: two coarse edges overlap, or put back on the circle their middles lie beyond
 # the coarse elements around.
 cat >holes.geo <<'G'
@@ -54,7 +58,7 @@ G
 for method in 2 3 4; do
   for scale in 1 1.3 1.6 2 2.5 3; do
     exits 0 "method $method, size factor $scale: no quadrangle is turned over by the nodes put back on small holes" "$MESHGEN" -2 holes.geo \
-      -clscale $scale -setnumber Mesh.RecombineAll 1 -setnumber Mesh.RecombinationAlgorithm $method -o h.msh
+      -require "index_sum=-8" -require "euler=-8" -clscale $scale -setnumber Mesh.RecombineAll 1 -setnumber Mesh.RecombinationAlgorithm $method -o h.msh
   done
 done
 cat >spline.geo <<'G'
