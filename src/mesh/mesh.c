@@ -60,7 +60,7 @@ void mesh_free(Mesh *m)
   free(m->xyz);
   free(m->node_entity);
   free(m->node_u);
-  free(m->node_tag);
+  free(m->node_number);
   free(m->entity);
   free(m->block);
   free(m->group);

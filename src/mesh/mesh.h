@@ -66,7 +66,8 @@ typedef struct {
   double *xyz;             // 3 per node
   uint32_t *node_entity;   // index into entity[]: the entity it is classified on
   double *node_u;          // parameter on the curve; NAN elsewhere
-  uint64_t *node_tag;      // numbers in the file it was read from, or NULL for 1..n
+  uint64_t node_shift;     // in the file it was read from, nodes are numbered index + 1 + node_shift (modulo 2^64: from 0 by -1),
+  uint64_t *node_number;   // or so, if this is not NULL
 
   size_t nentity, entity_cap;
   MeshEntity *entity;      // by dim, then tag
@@ -103,6 +104,11 @@ bool mesh_is_grouped(const Mesh *m);
 static inline Vec3 mesh_xyz(const Mesh *m, uint32_t n)
 {
   return (Vec3){m->xyz[3 * (size_t)n], m->xyz[3 * (size_t)n + 1], m->xyz[3 * (size_t)n + 2]};
+}
+// The number of a node for people: that in its file.
+static inline unsigned long long mesh_node_number(const Mesh *m, uint32_t i)
+{
+  return m->node_number ? m->node_number[i] : m->node_shift + i + 1;
 }
 
 #endif

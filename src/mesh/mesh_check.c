@@ -96,12 +96,12 @@ static void check_nodes(Check *c)
   const Mesh *m = c->m;
   for (size_t i = 0; i < m->nnode; i++) {
     if (UNLIKELY(m->node_entity[i] >= m->nentity))
-      check__report(c, RULE_INDEX, false, NONE, NONE, 0, (uint32_t)i, nowhere, "node %zu is on no entity", i + 1);
+      check__report(c, RULE_INDEX, false, NONE, NONE, 0, (uint32_t)i, nowhere, "node %llu is on no entity", number_of(c, (uint32_t)i));
     if (UNLIKELY(!isfinite(m->xyz[3 * i] + m->xyz[3 * i + 1] + m->xyz[3 * i + 2])))
-      check__report(c, RULE_COORDINATE, false, NONE, NONE, 0, (uint32_t)i, nowhere, "node %zu", i + 1);
+      check__report(c, RULE_COORDINATE, false, NONE, NONE, 0, (uint32_t)i, nowhere, "node %llu", number_of(c, (uint32_t)i));
     if (UNLIKELY(!c->used[i]))
       check__report(c, RULE_ORPHAN_NODE, !c->strict, m->node_entity[i], NONE, 0, (uint32_t)i, mesh_xyz(m, (uint32_t)i),
-                    "node %zu is in no element", i + 1);
+                    "node %llu is in no element", number_of(c, (uint32_t)i));
   }
 }
 
@@ -215,7 +215,7 @@ static void check_duplicate_nodes(Check *c)
   for (size_t i = 0; i < twins.len; i++) {
     uint32_t a = twins.data[i].first, b = twins.data[i].second;
     check__report(c, RULE_DUPLICATE_NODE, !twins.data[i].meet, m->node_entity[b], NONE, 0, b, mesh_xyz(m, b),
-                  "nodes %u and %u have the same coordinates", a + 1, b + 1);
+                  "nodes %llu and %llu have the same coordinates", number_of(c, a), number_of(c, b));
   }
   vec_free(&twins);
 }
@@ -249,7 +249,7 @@ static void check_classification(Check *c)
       // Points embedded in a face are in no list, so any point is good for a face.
       if (LIKELY(on == k->entity) || mark[on] == b || (dim == 2 && m->entity[on].dim == 0)) continue;
       check__report(c, RULE_CLASSIFICATION, false, k->entity, b, i / (size_t)nodes, k->node[i], mesh_xyz(m, k->node[i]),
-                    "node %u is on %s %d", k->node[i] + 1, m->entity[on].dim == 0 ? "point" : m->entity[on].dim == 1 ? "curve" : "face",
+                    "node %llu is on %s %d", number_of(c, k->node[i]), m->entity[on].dim == 0 ? "point" : m->entity[on].dim == 1 ? "curve" : "face",
                     m->entity[on].tag);
     }
   }
@@ -322,8 +322,8 @@ static void check_periodic(Check *c)
                                     t[8] * x.x + t[9] * x.y + t[10] * x.z + t[11]};
       double off = vec3_distance(y, mesh_xyz(m, a));
       if (off > size)
-        check__report(c, RULE_PERIODIC, false, e, NONE, 0, a, mesh_xyz(m, a), "node %u is %.3g away from the image of node %u",
-                      a + 1, off, b + 1);
+        check__report(c, RULE_PERIODIC, false, e, NONE, 0, a, mesh_xyz(m, a), "node %llu is %.3g away from the image of node %llu",
+                      number_of(c, a), off, number_of(c, b));
     }
   }
 }

@@ -30,10 +30,12 @@ static void gather_lines(Check *c, uint8_t *on_line)
       bool added;
       uint32_t *slot = map_slot(&c->line, map_pair(v[0], v[1]), (uint32_t)c->line_block.len, &added);
       if (v[0] == v[1])
-        check__report(c, RULE_DEGENERATE, false, k->entity, b, i, v[0], mesh_xyz(m, v[0]), "both ends are node %u", v[0] + 1);
+        check__report(c, RULE_DEGENERATE, false, k->entity, b, i, v[0], mesh_xyz(m, v[0]), "both ends are node %llu",
+                      number_of(c, v[0]));
       else if (!added)
         check__report(c, RULE_DUPLICATE_ELEMENT, false, k->entity, b, i, NONE, middle(m, v[0], v[1]),
-                      "curve %d has a line between nodes %u and %u too", m->entity[line_curve(c, *slot)].tag, v[0] + 1, v[1] + 1);
+                      "curve %d has a line between nodes %llu and %llu too", m->entity[line_curve(c, *slot)].tag, number_of(c, v[0]),
+                      number_of(c, v[1]));
       vec_push(&c->line_block, b);
       vec_push(&c->line_index, (uint32_t)i);
       on_line[v[0]] = on_line[v[1]] = 1;
@@ -121,7 +123,8 @@ static void check_bad_edges(Check *c)
         map_slot(&edge, map_pair(e.a, e.b), 0, &added);
         if (added)
           check__report(c, RULE_EDGE, false, k->entity, b, i, NONE, middle(m, e.a, e.b),
-                        "edge of nodes %u and %u has more than two elements, or two that run it the same way", e.a + 1, e.b + 1);
+                        "edge of nodes %llu and %llu has more than two elements, or two that run it the same way",
+                        number_of(c, e.a), number_of(c, e.b));
       }
     }
   }
@@ -211,8 +214,8 @@ static void check_lost(Check *c, EdgeScan *s)
       size_t has = count_of(&s->use, (uint64_t)l << 32 | face);
       if (has < n)
         check__report(c, RULE_LOST_EDGE, false, curve, c->line_block.data[l], c->line_index.data[l], NONE, middle(m, v[0], v[1]),
-                      "it is an edge of %zu elements of face %d, not of %zu: nodes %u and %u", has, m->entity[face].tag, n, v[0] + 1,
-                      v[1] + 1);
+                      "it is an edge of %zu elements of face %d, not of %zu: nodes %llu and %llu", has, m->entity[face].tag, n,
+                      number_of(c, v[0]), number_of(c, v[1]));
     }
     if (listed || c->edges.n == 0) continue;
     size_t lo = 0, up = s->use.len; // any use of this line at all?
@@ -225,7 +228,8 @@ static void check_lost(Check *c, EdgeScan *s)
     marked |= free_line;
     if (free_line && c->used[v[0]] == 2 && c->used[v[1]] == 2)
       check__report(c, RULE_LOST_EDGE, !c->strict, curve, c->line_block.data[l], c->line_index.data[l], NONE,
-                    middle(m, v[0], v[1]), "it is no edge of a surface element: nodes %u and %u", v[0] + 1, v[1] + 1);
+                    middle(m, v[0], v[1]), "it is no edge of a surface element: nodes %llu and %llu",
+                    number_of(c, v[0]), number_of(c, v[1]));
   }
   vec_free(&wanted);
 }
@@ -267,7 +271,8 @@ static void check_holes(Check *c, const EdgeScan *s)
     if (!closed[face]) continue;
     if (line == NONE)
       check__report(c, RULE_HOLE, false, face, e.block, e.element, NONE, middle(m, e.a, e.b),
-                    "nothing is beyond the edge of nodes %u and %u, which is on no curve", e.a + 1, e.b + 1);
+                    "nothing is beyond the edge of nodes %llu and %llu, which is on no curve", number_of(c, e.a),
+                    number_of(c, e.b));
     else if (!bounds(&m->entity[face], m->entity[line_curve(c, line)].tag))
       check__report(c, RULE_HOLE, false, face, e.block, e.element, NONE, middle(m, e.a, e.b),
                     "it ends at curve %d, which does not bound it", m->entity[line_curve(c, line)].tag);
@@ -384,8 +389,8 @@ static void report_junctions(Check *c, JunctionVec *found)
     const Junction *j = &found->data[i];
     bool apart = j->line && !j->inside;
     check__report(c, RULE_T_JUNCTION, apart, c->m->block[j->edge.block].entity, j->edge.block, j->edge.element, j->node,
-                  mesh_xyz(c->m, j->node), "node %u%s lies within the edge of nodes %u and %u", j->node + 1,
-                  apart ? ", not joined to it," : "", j->edge.a + 1, j->edge.b + 1);
+                  mesh_xyz(c->m, j->node), "node %llu%s lies within the edge of nodes %llu and %llu", number_of(c, j->node),
+                  apart ? ", not joined to it," : "", number_of(c, j->edge.a), number_of(c, j->edge.b));
   }
 }
 

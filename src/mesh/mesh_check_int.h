@@ -60,4 +60,7 @@ void check__area(Check *c, const CheckedFace *f, const CompensatedSum *elements,
 void check__faces(Check *c);      // orientation, area, Euler characteristic
 void check__conformity(Check *c); // edges, lost edges, holes, T-junctions
 
+// The number of a node in messages: that in its file.
+static inline unsigned long long number_of(const Check *c, uint32_t node) { return mesh_node_number(c->m, node); }
+
 #endif

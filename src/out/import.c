@@ -20,9 +20,6 @@ void import_reserve_nodes(Import *im, size_t n)
     m->node_entity = mem_realloc(m->node_entity, m->node_cap * sizeof *m->node_entity);
     m->node_u = mem_realloc(m->node_u, m->node_cap * sizeof *m->node_u);
   }
-  m->node_tag = mem_realloc(m->node_tag, m->node_cap * sizeof *m->node_tag);
-  vec_reserve(&im->owner_dim, want);
-  vec_reserve(&im->owner_tag, want);
 }
 
 // The numbers stopped being consecutive: from now on they are looked up.
@@ -30,13 +27,16 @@ static void make_sparse(Import *im)
 {
   im->dense = false;
   map_reserve(&im->index, im->mesh->nnode);
-  for (size_t i = 0; i < im->mesh->nnode; i++) map_set(&im->index, im->mesh->node_tag[i], (uint32_t)i);
+  for (size_t i = 0; i < im->mesh->nnode; i++) {
+    map_set(&im->index, im->tag0 + i, (uint32_t)i);
+    vec_push(&im->number, im->tag0 + i);
+  }
 }
 
-void import_node(Import *im, uint64_t tag, Vec3 x, int dim, int entity, double u)
+void import_node_slow(Import *im, uint64_t tag, Vec3 x, int dim, int entity, double u)
 {
   Mesh *m = im->mesh;
-  if (m->nnode == m->node_cap || !m->node_tag) import_reserve_nodes(im, MAX(m->nnode, (size_t)64));
+  if (m->nnode == m->node_cap) import_reserve_nodes(im, MAX(m->nnode, (size_t)64));
   if (m->nnode == 0) im->tag0 = tag;
   if (im->dense && tag != im->tag0 + m->nnode) make_sparse(im);
   if (!im->dense) {
@@ -50,15 +50,15 @@ void import_node(Import *im, uint64_t tag, Vec3 x, int dim, int entity, double u
       scan_error(im->s, "node %llu is defined twice", (unsigned long long)tag);
       return;
     }
+    vec_push(&im->number, tag);
   }
   if (m->nnode >= NONE - 2) {
     scan_error(im->s, "too many nodes");
     return;
   }
-  uint32_t i = mesh_add_node(m, x, 0, u);
-  m->node_tag[i] = tag;
-  vec_push(&im->owner_dim, dim < 0 ? NONE : (uint32_t)dim);
-  vec_push(&im->owner_tag, entity);
+  if (!im->owner.len || vec_last(&im->owner).dim != dim || vec_last(&im->owner).entity != entity)
+    vec_push(&im->owner, ((ImportOwner){dim, entity, m->nnode}));
+  mesh_add_node(m, x, 0, u);
 }
 
 uint32_t import_find_slow(Import *im, uint64_t tag)
@@ -73,9 +73,9 @@ static ImportRun *run_for(Import *im, ElemType type, int entity, int physical)
 {
   if (im->run.len) {
     ImportRun *r = &vec_last(&im->run);
-    if (r->type == type && r->entity == entity && r->physical == physical) return r;
+    if (!r->own && r->type == type && r->entity == entity && r->physical == physical) return r;
   }
-  vec_push(&im->run, ((ImportRun){elem_dim(type), entity, physical, type, im->node.len, 0}));
+  vec_push(&im->run, ((ImportRun){elem_dim(type), entity, physical, type, 0, im->node.len, NULL}));
   return &vec_last(&im->run);
 }
 
@@ -83,10 +83,9 @@ void import_element(Import *im, ElemType type, int entity, int physical) { run_f
 
 uint32_t *import_elements(Import *im, ElemType type, int entity, int physical, size_t n)
 {
-  run_for(im, type, entity, physical)->n += n;
-  size_t from = im->node.len;
-  vec_resize(&im->node, from + n * (size_t)elem_nodes(type));
-  return im->node.data + from;
+  uint32_t *own = mem_alloc(n * (size_t)elem_nodes(type) * sizeof *own);
+  vec_push(&im->run, ((ImportRun){elem_dim(type), entity, physical, type, n, 0, own}));
+  return own;
 }
 
 MeshEntity *import_entity(Import *im, int dim, int tag)
@@ -129,10 +128,12 @@ typedef struct {
   size_t run, index;  // which element
 } Copy;
 
+static const uint32_t *nodes_of_run(const Import *im, const ImportRun *r) { return r->own ? r->own : im->node.data + r->first; }
+
 static const uint32_t *nodes_of(const Import *im, const Copy *c)
 {
   const ImportRun *r = &im->run.data[c->run];
-  return im->node.data + r->first + c->index * (size_t)elem_nodes(r->type);
+  return nodes_of_run(im, r) + c->index * (size_t)elem_nodes(r->type);
 }
 
 static int copy_order(const void *x, const void *y)
@@ -218,7 +219,7 @@ static void add_merged(Import *im, Merged *out, const Copy *c, int tag)
 {
   ElemType type = im->run.data[c->run].type;
   if (!out->run.len || vec_last(&out->run).type != type || vec_last(&out->run).entity != tag)
-    vec_push(&out->run, ((ImportRun){elem_dim(type), tag, 0, type, out->node.len, 0}));
+    vec_push(&out->run, ((ImportRun){elem_dim(type), tag, 0, type, 0, out->node.len, NULL}));
   copy_out(im, &out->node, &vec_last(&out->run), c);
 }
 
@@ -299,6 +300,28 @@ static size_t *sort_runs(const Import *im)
   return a;
 }
 
+static void free_runs(Import *im)
+{
+  for (size_t i = 0; i < im->run.len; i++) free(im->run.data[i].own);
+  vec_free(&im->run);
+  vec_free(&im->node);
+}
+
+// Take a run over as it is.
+static void keep_run(const Import *im, Merged *out, ImportRun *r)
+{
+  ImportRun copy = *r;
+  r->own = NULL;
+  if (!copy.own) {
+    size_t n = copy.n * (size_t)elem_nodes(copy.type);
+    copy.first = out->node.len;
+    vec_reserve(&out->node, out->node.len + n);
+    memcpy(out->node.data + out->node.len, nodes_of_run(im, r), n * sizeof *out->node.data);
+    out->node.len += n;
+  }
+  vec_push(&out->run, copy);
+}
+
 // Give every entity its groups, where groups are told per element.
 static void resolve_groups(Import *im)
 {
@@ -327,20 +350,11 @@ static void resolve_groups(Import *im)
     }
     MeshEntity *e = import_entity(im, dim, r->entity);
     if (r->physical) vec_push(&e->physical, r->physical);
-    for (size_t k = i; k < j; k++) {
-      ImportRun copy = im->run.data[order[k]];
-      size_t n = copy.n * (size_t)elem_nodes(copy.type), from = copy.first;
-      copy.first = out.node.len;
-      vec_reserve(&out.node, out.node.len + n);
-      memcpy(out.node.data + out.node.len, im->node.data + from, n * sizeof *out.node.data);
-      out.node.len += n;
-      vec_push(&out.run, copy);
-    }
+    for (size_t k = i; k < j; k++) keep_run(im, &out, &im->run.data[order[k]]);
   }
   free(order);
   vec_free(&out.sets);
-  vec_free(&im->node);
-  vec_free(&im->run);
+  free_runs(im);
   im->node = out.node;
   im->run.data = out.run.data;
   im->run.len = out.run.len;
@@ -370,11 +384,11 @@ static void make_entities(Import *im)
     map_slot(&seen, (uint64_t)r->dim << 32 | (uint32_t)r->entity, 0, &added);
     if (added) import_entity(im, r->dim, r->entity);
   }
-  for (size_t i = 0; i < m->nnode; i++) {
-    if (im->owner_dim.data[i] == NONE || (i && im->owner_dim.data[i] == im->owner_dim.data[i - 1] && im->owner_tag.data[i] == im->owner_tag.data[i - 1]))
-      continue;
-    map_slot(&seen, (uint64_t)im->owner_dim.data[i] << 32 | (uint32_t)im->owner_tag.data[i], 0, &added);
-    if (added) import_entity(im, (int)im->owner_dim.data[i], im->owner_tag.data[i]);
+  for (size_t i = 0; i < im->owner.len; i++) {
+    const ImportOwner *o = &im->owner.data[i];
+    added = false;
+    if (o->dim >= 0) map_slot(&seen, (uint64_t)o->dim << 32 | (uint32_t)o->entity, 0, &added);
+    if (added) import_entity(im, o->dim, o->entity);
   }
   map_free(&seen);
   if (!im->entity.len && m->nnode) import_entity(im, 0, 1); // a file of nodes alone
@@ -399,25 +413,36 @@ static int key_order(const void *x, const void *y)
   return a->run < b->run ? -1 : a->run > b->run;
 }
 
+// The elements of runs of one entity and type, in the order of the file.
+static void make_block(Import *im, const RunKey *key, size_t nkey)
+{
+  ImportRun *first = &im->run.data[key->run];
+  if (nkey == 1 && first->own) {
+    mesh_take_block(im->mesh, key->entity, key->type, first->n, first->own);
+    first->own = NULL;
+    return;
+  }
+  size_t total = 0;
+  for (size_t k = 0; k < nkey; k++) total += im->run.data[key[k].run].n;
+  uint32_t b = mesh_add_block(im->mesh, key->entity, key->type, total), *to = im->mesh->block[b].node;
+  for (size_t k = 0; k < nkey; k++) {
+    const ImportRun *r = &im->run.data[key[k].run];
+    size_t count = r->n * (size_t)elem_nodes(r->type);
+    if (count) memcpy(to, nodes_of_run(im, r), count * sizeof *to);
+    to += count;
+  }
+}
+
 static void make_blocks(Import *im)
 {
-  Mesh *m = im->mesh;
   size_t n = im->run.len;
   RunKey *key = mem_alloc(n * sizeof *key);
   for (size_t i = 0; i < n; i++)
-    key[i] = (RunKey){mesh_find_entity(m, im->run.data[i].dim, im->run.data[i].entity), im->run.data[i].type, i};
+    key[i] = (RunKey){mesh_find_entity(im->mesh, im->run.data[i].dim, im->run.data[i].entity), im->run.data[i].type, i};
   if (n) qsort(key, n, sizeof *key, key_order);
   for (size_t i = 0, j; i < n; i = j) {
-    size_t total = 0;
-    for (j = i; j < n && key[j].entity == key[i].entity && key[j].type == key[i].type; j++) total += im->run.data[key[j].run].n;
-    uint32_t b = mesh_add_block(m, key[i].entity, key[i].type, total);
-    uint32_t *to = m->block[b].node;
-    for (size_t k = i; k < j; k++) {
-      const ImportRun *r = &im->run.data[key[k].run];
-      size_t count = r->n * (size_t)elem_nodes(r->type);
-      memcpy(to, im->node.data + r->first, count * sizeof *to);
-      to += count;
-    }
+    for (j = i; j < n && key[j].entity == key[i].entity && key[j].type == key[i].type;) j++;
+    make_block(im, key + i, j - i);
   }
   free(key);
 }
@@ -426,16 +451,11 @@ static void make_blocks(Import *im)
 static void classify_nodes(Import *im)
 {
   Mesh *m = im->mesh;
-  uint32_t last = NONE;
-  for (size_t i = 0; i < m->nnode; i++) {
-    if (im->owner_dim.data[i] == NONE) {
-      m->node_entity[i] = NONE;
-      continue;
-    }
-    const MeshEntity *e = last == NONE ? NULL : &m->entity[last];
-    if (!e || e->dim != (int)im->owner_dim.data[i] || e->tag != im->owner_tag.data[i])
-      last = mesh_find_entity(m, (int)im->owner_dim.data[i], im->owner_tag.data[i]);
-    m->node_entity[i] = last;
+  for (size_t i = 0; i < im->owner.len; i++) {
+    const ImportOwner *o = &im->owner.data[i];
+    uint32_t e = o->dim < 0 ? NONE : mesh_find_entity(m, o->dim, o->entity);
+    size_t end = i + 1 < im->owner.len ? im->owner.data[i + 1].first : m->nnode;
+    for (size_t k = o->first; k < end; k++) m->node_entity[k] = e;
   }
   for (size_t b = 0; b < m->nblock; b++) {
     const MeshBlock *k = &m->block[b];
@@ -479,10 +499,9 @@ static void free_import(Import *im)
     vec_free(&im->entity.data[i].embedded);
   }
   vec_free(&im->entity);
-  vec_free(&im->owner_dim);
-  vec_free(&im->owner_tag);
-  vec_free(&im->node);
-  vec_free(&im->run);
+  vec_free(&im->owner);
+  vec_free(&im->number);
+  free_runs(im);
   map_free(&im->index);
 }
 
@@ -499,13 +518,11 @@ Mesh *import_finish(Import *im)
         import_group(im, m->entity[e].dim, abs(m->entity[e].physical.data[i]), NULL);
     if (m->ngroup) qsort(m->group, m->ngroup, sizeof *m->group, group_order);
     fill_boxes(m);
+    m->node_shift = im->tag0 - 1;
+    m->node_number = im->number.data;
+    im->number.data = NULL;
     if (im->volumes)
       diag_warning(im->s->diag, NO_LOC, "%s: %zu elements of dimension 3 are left out", im->s->name, im->volumes);
-    // Nodes numbered 1, 2, ... need no list.
-    if (im->dense && (im->tag0 == 1 || !m->nnode)) {
-      free(m->node_tag);
-      m->node_tag = NULL;
-    }
   }
   bool failed = im->s->failed;
   free_import(im);

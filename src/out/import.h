@@ -12,18 +12,25 @@
 typedef struct {
   int dim, entity, physical; // physical: 0 for none, or where the entity tells
   ElemType type;
-  size_t first, n;           // of its nodes in Import.node, and elements
+  size_t n, first;           // elements; where in Import.node their nodes begin
+  uint32_t *own;             // or their nodes, if they came all at once
 } ImportRun;
+
+// Nodes that followed each other on the same entity; dim -1 if the file does not say which.
+typedef struct {
+  int dim, entity;
+  size_t first;
+} ImportOwner;
 
 typedef struct {
   Scan *s;
   Mesh *mesh;               // nodes are added to it as they come
-  U32Vec owner_dim;         // per node: dimension and tag of the entity the file puts it on; dimension NONE if it does not say
-  IntVec owner_tag;
+  Vec(ImportOwner) owner;   // by first node
   uint64_t tag0;            // nodes are numbered tag0, tag0 + 1, ... as long as dense
   bool dense;
   Map index;                // of node tags, once they are not dense
-  U32Vec node;              // nodes of all elements
+  Vec(uint64_t) number;     // and these tags
+  U32Vec node;              // nodes of the elements of the runs that have none of their own
   Vec(ImportRun) run;
   Vec(MeshEntity) entity;   // that the file describes
   size_t volumes;           // elements of dimension 3, left out
@@ -31,7 +38,23 @@ typedef struct {
 
 void import_begin(Import *im, Scan *s);
 
-void import_node(Import *im, uint64_t tag, Vec3 x, int dim, int entity, double u);
+void import_node_slow(Import *im, uint64_t tag, Vec3 x, int dim, int entity, double u);
+// Add a node: its number, place, the entity the file puts it on (dim -1 if it does not say) and its parameter there or NAN.
+static inline void import_node(Import *im, uint64_t tag, Vec3 x, int dim, int entity, double u)
+{
+  Mesh *m = im->mesh;
+  size_t i = m->nnode;
+  const ImportOwner *o = im->owner.len ? &vec_last(&im->owner) : NULL;
+  if (!o || o->dim != dim || o->entity != entity || !im->dense || tag != im->tag0 + i || i == m->node_cap) {
+    import_node_slow(im, tag, x, dim, entity, u);
+    return;
+  }
+  m->xyz[3 * i] = x.x;
+  m->xyz[3 * i + 1] = x.y;
+  m->xyz[3 * i + 2] = x.z;
+  m->node_u[i] = u;
+  m->nnode++; // node_entity is filled at the end
+}
 void import_reserve_nodes(Import *im, size_t n);
 uint32_t import_find_slow(Import *im, uint64_t tag);
 // Index of a node by its tag; an error if there is none.

@@ -332,13 +332,16 @@ static void read_node_block41(Reader *r, const BlockHead *h)
 {
   Scan *s = r->s;
   int extra = h->kind ? h->dim : 0;
-  Scan tags = *s; // the numbers come before the coordinates
-  if (s->binary)
-    scan_bytes(s, 8 * h->n, "node numbers");
-  else
-    for (size_t i = 0; i < h->n && !s->failed; i++) scan_i64(s, "a node number");
+  Scan tags = *s; // the numbers come before the coordinates, and mostly one by one
+  uint64_t first = 0;
+  bool dense = true;
   for (size_t i = 0; i < h->n && !s->failed; i++) {
-    uint64_t tag = tags.binary ? scan_b64(&tags, "a node") : (uint64_t)scan_i64(&tags, "a node");
+    uint64_t tag = (uint64_t)get_size(r, "a node number");
+    if (i == 0) first = tag;
+    dense = dense && tag == first + i;
+  }
+  for (size_t i = 0; i < h->n && !s->failed; i++) {
+    uint64_t tag = dense ? first + i : tags.binary ? scan_b64(&tags, "a node") : (uint64_t)scan_i64(&tags, "a node");
     Vec3 x = get_point(r);
     double u = NAN;
     for (int k = 0; k < extra; k++) {

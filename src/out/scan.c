@@ -51,7 +51,7 @@ static void expected(Scan *s, const char *what)
     scan_error(s, "%s expected, found the end of the file", what);
 }
 
-double scan_double(Scan *s, const char *what)
+double scan_double_slow(Scan *s, const char *what)
 {
   double v = 0;
   scan_space(s);

@@ -19,8 +19,8 @@ typedef struct {
 // Report `name:line: text` (or `name: byte n: text`), once; further calls do nothing.
 void scan_error(Scan *s, const char *fmt, ...) PRINTF_LIKE(2, 3);
 
-// Numbers, after blanks and line ends; an error naming `what` if there is none.
-double scan_double(Scan *s, const char *what);
+// scan_double and scan_i64 below: numbers, after blanks and line ends; an error naming `what` if there is none.
+double scan_double_slow(Scan *s, const char *what);
 int64_t scan_i64_slow(Scan *s, const char *what);
 // In [lo, hi], or an error.
 int64_t scan_range(Scan *s, int64_t lo, int64_t hi, const char *what);
@@ -45,6 +45,16 @@ double scan_bdouble(Scan *s, const char *what);
 size_t scan_count(Scan *s, int64_t n, size_t size, const char *what);
 
 static inline size_t scan_left(const Scan *s) { return (size_t)(s->end - s->p); }
+
+// The third coordinate is nearly always a bare 0.
+static inline double scan_double(Scan *s, const char *what)
+{
+  const char *p = s->p;
+  while (p < s->end && (unsigned char)*p <= ' ') p++;
+  if (s->end - p < 2 || p[0] != '0' || (unsigned char)p[1] > ' ') return scan_double_slow(s, what);
+  s->p = p + 1;
+  return 0;
+}
 
 static inline int64_t scan_i64(Scan *s, const char *what)
 {

@@ -105,56 +105,111 @@ void ply__write(Writer *w, const Selection *s, const OutOptions *o)
   }
 }
 
-static Vec3 unit_normal(Vec3 a, Vec3 b, Vec3 c)
+// ---- STL: every facet with its normal and its corners in full --------------------------------------------------------------------
+// Normals have single precision, in the text too.
+typedef struct {
+  float x, y, z;
+} Normal;
+
+static Normal normal_of(const Vec3 p[3])
 {
-  Vec3 n = vec3_cross(vec3_sub(b, a), vec3_sub(c, a));
-  double len = vec3_length(n);
-  return len > 0 ? vec3_scale(1 / len, n) : (Vec3){0, 0, 0};
+  Vec3 n = vec3_cross(vec3_sub(p[1], p[0]), vec3_sub(p[2], p[0]));
+  double len = vec3_length(n), f = len > 0 ? 1 / len : 0;
+  return (Normal){(float)(f * n.x) + 0, (float)(f * n.y) + 0, (float)(f * n.z) + 0}; // + 0: no -0
 }
 
-static void write_facet(Writer *w, const Vec3 p[3], bool binary)
+// What is printed again and again: the corners' text, of which corner k has text[start[k]..start[k+1]-1], and the last facet's head.
+typedef struct {
+  Writer *w;
+  const Selection *s;
+  char *text;
+  size_t *start;
+  Normal normal;
+  char head[128];
+  size_t head_len;
+} StlText;
+
+static StlText stl_text(Writer *w, const Selection *s)
 {
-  Vec3 n = unit_normal(p[0], p[1], p[2]);
-  if (binary) {
-    float f[12] = {(float)n.x, (float)n.y, (float)n.z};
-    for (int i = 0; i < 3; i++) {
-      f[3 + 3 * i] = (float)p[i].x;
-      f[4 + 3 * i] = (float)p[i].y;
-      f[5 + 3 * i] = (float)p[i].z;
-    }
-    char *q = writer_reserve(w, 50);
-    memcpy(q, f, 48);
-    q[48] = q[49] = 0;
-    writer_commit(w, 50);
-    return;
+  StlText t = {.w = w, .s = s, .normal.x = NAN};
+  enum { LINE = 3 * NUMBER_MAX_TEXT + 16 };
+  size_t cap = LINE, used = 0;
+  t.text = mem_alloc(cap);
+  t.start = mem_alloc((s->nnode + 1) * sizeof *t.start);
+  for (size_t k = 0; k < s->nnode; k++) {
+    if (cap - used < LINE) mem_grow(&t.text, &cap, cap + LINE, 1);
+    t.start[k] = used;
+    used = (size_t)(put_xyz((char *)memcpy(t.text + used, "    vertex ", 11) + 11, select__xyz(s, k)) - t.text);
   }
-  char *q0 = writer_reserve(w, 800), *q = q0 + snprintf(q0, 100, "facet normal %g %g %g\n  outer loop\n", n.x, n.y, n.z);
-  for (int i = 0; i < 3; i++) q = put_xyz((char *)memcpy(q, "    vertex ", 11) + 11, p[i]);
-  memcpy(q, "  endloop\nendfacet\n", 19);
-  writer_commit(w, (size_t)(q + 19 - q0));
+  t.start[s->nnode] = used;
+  return t;
 }
 
-// Quadrangles are split along their first diagonal. Returns the number of facets; writes them if w is not NULL.
-static size_t stl_block(Writer *w, const Selection *s, const MeshBlock *k, bool binary)
+static void stl_text_free(StlText *t)
+{
+  free(t->text);
+  free(t->start);
+}
+
+static void text_facet(StlText *t, const uint32_t node[3])
+{
+  const Vec3 x[3] = {select__xyz(t->s, node[0]), select__xyz(t->s, node[1]), select__xyz(t->s, node[2])};
+  Normal n = normal_of(x);
+  if (memcmp(&n, &t->normal, sizeof n) != 0) {
+    t->normal = n;
+    t->head_len = (size_t)snprintf(t->head, sizeof t->head, "facet normal %g %g %g\n  outer loop\n", (double)n.x, (double)n.y, (double)n.z);
+  }
+  char *q0 = writer_reserve(t->w, 800), *q = (char *)memcpy(q0, t->head, t->head_len) + t->head_len;
+  for (int i = 0; i < 3; i++) {
+    size_t from = t->start[node[i]], len = t->start[node[i] + 1] - from;
+    q = (char *)memcpy(q, t->text + from, len) + len;
+  }
+  memcpy(q, "  endloop\nendfacet\n", 19);
+  writer_commit(t->w, (size_t)(q + 19 - q0));
+}
+
+static void binary_facet(Writer *w, const Selection *s, const uint32_t node[3])
+{
+  const Vec3 x[3] = {select__xyz(s, node[0]), select__xyz(s, node[1]), select__xyz(s, node[2])};
+  Normal n = normal_of(x);
+  float f[12] = {n.x, n.y, n.z};
+  for (int i = 0; i < 3; i++) {
+    f[3 + 3 * i] = (float)x[i].x;
+    f[4 + 3 * i] = (float)x[i].y;
+    f[5 + 3 * i] = (float)x[i].z;
+  }
+  char *q = writer_reserve(w, 50);
+  memcpy(q, f, 48);
+  q[48] = q[49] = 0;
+  writer_commit(w, 50);
+}
+
+// Quadrangles are split along their first diagonal. As text if t is not NULL.
+static void stl_block(Writer *w, StlText *t, const Selection *s, const MeshBlock *k)
 {
   int corners = elem_corners(k->type);
-  for (size_t i = 0; w && i < k->n; i++) {
-    Vec3 x[4];
-    for (int a = 0; a < corners; a++) x[a] = select__xyz(s, s->number[k->node[i * (size_t)corners + (size_t)a]]);
-    write_facet(w, x, binary);
-    if (corners == 4) write_facet(w, (Vec3[]){x[0], x[2], x[3]}, binary);
-  }
-  return k->n * (size_t)(corners - 2);
+  for (size_t i = 0; i < k->n; i++)
+    for (int half = 0; half < corners - 2; half++) {
+      const uint32_t *v = k->node + i * (size_t)corners;
+      const uint32_t node[3] = {s->number[v[0]], s->number[v[1 + half]], s->number[v[2 + half]]};
+      if (t)
+        text_facet(t, node);
+      else
+        binary_facet(w, s, node);
+    }
 }
 
 static void stl_binary(Writer *w, const Selection *s)
 {
   char head[80] = "meshgen";
   uint32_t n = 0;
-  for (size_t i = 0; i < s->nblock; i++) n += (uint32_t)stl_block(NULL, s, &s->mesh->block[s->block[i]], true);
+  for (size_t i = 0; i < s->nblock; i++) {
+    const MeshBlock *k = &s->mesh->block[s->block[i]];
+    n += (uint32_t)(k->n * (size_t)(elem_corners(k->type) - 2));
+  }
   writer_bytes(w, head, sizeof head);
   writer_bytes(w, &n, sizeof n);
-  for (size_t i = 0; i < s->nblock; i++) stl_block(w, s, &s->mesh->block[s->block[i]], true);
+  for (size_t i = 0; i < s->nblock; i++) stl_block(w, NULL, s, &s->mesh->block[s->block[i]]);
 }
 
 void stl__write(Writer *w, const Selection *s, const OutOptions *o)
@@ -164,6 +219,7 @@ void stl__write(Writer *w, const Selection *s, const OutOptions *o)
     return;
   }
   char name[256] = "meshgen", last[256] = "";
+  StlText text = stl_text(w, s);
   for (size_t i = 0; i < s->nblock; i++) {
     const MeshBlock *k = &s->mesh->block[s->block[i]];
     const MeshGroup *g = first_group(s, k);
@@ -174,8 +230,9 @@ void stl__write(Writer *w, const Selection *s, const OutOptions *o)
       writer_printf(w, "solid %s\n", name);
       memcpy(last, name, sizeof last);
     }
-    stl_block(w, s, k, false);
+    stl_block(w, &text, s, k);
   }
+  stl_text_free(&text);
   writer_printf(w, "%sendsolid %s\n", s->nblock ? "" : "solid meshgen\n", name);
 }
 

@@ -240,7 +240,7 @@ static void groups_per_element_are_gathered(void **state)
   assert_int_equal(m->entity[a].physical.data[1], -2);
   assert_int_equal(m->entity[b].physical.len, 1);
   assert_int_equal(m->ngroup, 3);
-  assert_int_equal(m->node_tag[2], 5);
+  assert_int_equal(mesh_node_number(m, 2), 5);
   assert_int_equal(m->node_entity[3], 0); // on the point
   mesh_free(m);
 }
