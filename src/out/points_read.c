@@ -218,12 +218,11 @@ ExitCode points_read(const char *path, PointsFile *f, Diag *d)
     }
   } else read_xyz(&r, f);
   free(text);
-  if (r.failed) status = EXIT_INPUT;
   if (status == EXIT_GOOD && f->xy.len == 0) {
-    diag_error(d, NO_LOC, "%s: there are no points in it", path);
-    status = EXIT_INPUT;
+    r.line = MAX(r.line, (size_t)1); // of an empty file
+    fail(&r, "the file ends without a point");
   }
-  return status;
+  return r.failed ? EXIT_INPUT : status;
 }
 
 void points_free(PointsFile *p)

@@ -91,6 +91,13 @@ exits 1 "a missing number is refused" "$MESHGEN" -delaunay m.xyz
 says "m.xyz:2: y is missing" "with the line too"
 : >e.xyz
 exits 1 "an empty file is refused" "$MESHGEN" -delaunay e.xyz
+says "e.xyz:1: the file ends without a point" "with its line"
+printf '# nothing\n\n' >e2.xyz
+exits 1 "one with comments alone, too" "$MESHGEN" -delaunay e2.xyz
+says "e2.xyz:2: the file ends without a point" "with the last line"
+printf '1 2\n-inf 3\n' >i.xyz
+exits 1 "infinity is refused" "$MESHGEN" -delaunay i.xyz
+says "i.xyz:2: x is not a finite number" "with the line"
 exits 3 "a missing file is refused" "$MESHGEN" -delaunay none.xyz
 printf '0 0\n1 1\n2 2\n' >l.xyz
 exits 0 "points on a line have no triangles" "$MESHGEN" -delaunay l.xyz -o l.msh
