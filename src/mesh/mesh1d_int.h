@@ -49,6 +49,8 @@ typedef struct {
 
 // Count of segments that the size asks for on curve k: fills the work's q or g, a and segments. mesh1d_size.c
 void mesh1d__measure(Mesher1d *d, size_t k, SizeEval *eval);
+// Segments that a curve of its kind gets at least, by Mesh.MinimumCurveNodes and the like. mesh1d_size.c
+uint32_t mesh1d__least_segments(const Model *m, const Options *opt, const Curve *c);
 // Make all sizes of graded curves agree at shared points, growing by at most `slope` (Mesh.SizeGradation). mesh1d_size.c
 void mesh1d__grade_all(Mesher1d *d, double slope);
 // Nodes of a curve measured: fills g->curve[k], releases q and g.

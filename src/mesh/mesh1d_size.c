@@ -269,16 +269,15 @@ static bool grows_too_fast(const Along *a, const Integral *q, double slope)
   return false;
 }
 
-static uint32_t least_segments(const Mesher1d *d, const Curve *c)
+uint32_t mesh1d__least_segments(const Model *m, const Options *o, const Curve *c)
 {
-  const Options *o = d->opt;
   if (c->joined) return 1;
   switch (c->type) {
   case CURVE_LINE:
   case CURVE_POLYLINE: return (uint32_t)MAX(o->Mesh_MinimumLineNodes - 1, 1);
   case CURVE_CIRCLE:
   case CURVE_ELLIPSE: {
-    double turn = fabs(curve_angle(d->m, c)) / (2 * M_PI);
+    double turn = fabs(curve_angle(m, c)) / (2 * M_PI);
     return (uint32_t)MAX((int)(0.99 + MAX(o->Mesh_MinimumCircleNodes - 1, 0) * turn), 1);
   }
   case CURVE_SPLINE:
@@ -301,7 +300,7 @@ void mesh1d__measure(Mesher1d *d, size_t k, SizeEval *eval)
     on_curve[i] = size_on_curve(eval, c, i, curve_point(d->m, c, i));
     a.end_h[i] = fmin(on_curve[i], size_at_point(eval, end[i]));
   }
-  w->least = MAX(w->least, least_segments(d, c));
+  w->least = MAX(w->least, mesh1d__least_segments(d->m, d->opt, c));
   double own = size_gradation(d->size), slope = own > 0 ? own : sqrt(d->opt->Mesh_SmoothRatio) - 1;
   bool jump = a.end_h[0] < on_curve[0] * (1 - 1e-9) || a.end_h[1] < on_curve[1] * (1 - 1e-9);
   double precision = d->opt->Mesh_LcIntegrationPrecision; // of sums; places inside cells need more
