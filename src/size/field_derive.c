@@ -186,7 +186,8 @@ static void eval_lonlat(SizeEval *e, const Node *n, Where w, const Places *p, si
       x = 4 * r2 * x / s, y = 4 * r2 * y / s;
     }
     q[i] = atan2(y, x);
-    q[count + i] = asin(fmin(fmax(z / sqrt(x * x + y * y + z * z), -1), 1));
+    double r = sqrt(x * x + y * y + z * z);
+    q[count + i] = r > 0 ? asin(fmin(fmax(z / r, -1), 1)) : 0;
     q[2 * count + i] = 0;
   }
   Places at = {q, q + count, q + 2 * count, ++e->serial};

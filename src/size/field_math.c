@@ -26,6 +26,9 @@ static bool take(SizeField *s, Node *n, int i, const char *option, Diag *diag)
   if (!d->e[i])
     diag_error(diag, v->loc, "field %d (%s): option %s = \"%s\": %s (at character %d)", n->field->id,
                field__type(n->field->kind)->name, option, v->text, str_text(&error), column);
+  else if (expr_minus_power(d->e[i]))
+    diag_warning(diag, v->loc, "field %d (%s): in %s = \"%s\" the power comes before the minus, -x^2 is -(x^2); Gmsh reads (-x)^2: write parentheses",
+                 n->field->id, field__type(n->field->kind)->name, option, v->text);
   str_free(&error);
   const int *id;
   size_t count = d->e[i] ? expr_fields(d->e[i], &id) : 0;

@@ -43,7 +43,7 @@ struct Expr {
   IntVec field;
   uint32_t nreg;
   uint32_t result; // operand place
-  bool constant;
+  bool constant, minus_power;
   double value;
 };
 
@@ -57,6 +57,7 @@ typedef struct {
   Str *error;
   int column, depth;
   bool failed;
+  bool power, minus_power; // the last operand is a power; a minus stands before one
 } Builder;
 
 enum { MAX_NODES = 100000, MAX_NESTING = 200 };
@@ -233,14 +234,17 @@ static uint32_t parse_unary(Builder *b);
 static uint32_t parse_power(Builder *b)
 {
   uint32_t v = parse_primary(b);
-  return accept(b, "^") ? emit2(b, OP_POW, v, parse_unary(b)) : v;
+  bool power = accept(b, "^");
+  if (power) v = emit2(b, OP_POW, v, parse_unary(b));
+  b->power = power;
+  return v;
 }
 
 static uint32_t parse_unary(Builder *b)
 {
   if (++b->depth > MAX_NESTING) return fail_at(b, b->s, "the expression is nested too deeply");
   uint32_t v;
-  if (accept(b, "-")) v = emit1(b, OP_NEG, parse_unary(b));
+  if (accept(b, "-")) v = emit1(b, OP_NEG, parse_unary(b)), b->minus_power |= b->power;
   else if (accept(b, "+")) v = parse_unary(b);
   else v = parse_power(b);
   b->depth--;
@@ -352,6 +356,7 @@ Expr *expr_compile(const char *text, Str *error, int *column)
     e = mem_zalloc(sizeof *e);
     generate(&b, root, e);
     e->field = b.field;
+    e->minus_power = b.minus_power;
   } else {
     vec_free(&b.field);
   }
@@ -379,6 +384,11 @@ bool expr_constant(const Expr *e, double *value)
 {
   *value = e->value;
   return e->constant;
+}
+
+bool expr_minus_power(const Expr *e)
+{
+  return e->minus_power;
 }
 
 size_t expr_scratch(const Expr *e, size_t n)

@@ -18,6 +18,8 @@ void expr_free(Expr *e); // NULL is fine
 size_t expr_fields(const Expr *e, const int **id);
 // True if it is the same everywhere.
 bool expr_constant(const Expr *e, double *value);
+// True if a minus stands before a power, as in -x^2: that is -(x^2) here, as in mathematics, and (-x)^2 in Gmsh.
+bool expr_minus_power(const Expr *e);
 // Doubles of scratch for expr_eval of n places.
 size_t expr_scratch(const Expr *e, size_t n);
 size_t expr_length(const Expr *e); // instructions

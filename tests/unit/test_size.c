@@ -99,6 +99,15 @@ static void common_parts_are_computed_once(void **state)
   expr_free(a);
   expr_free(b);
   expr_free(c);
+  static const struct {
+    const char *text;
+    bool minus;
+  } power[] = {{"-x^2", true}, {"exp(-x^2)", true}, {"-(x^2)", false}, {"1-x^2", false}, {"x^-2", false}, {"-x*y^2", false}, {"2*-x^3", true}};
+  for (size_t i = 0; i < ARRAY_LEN(power); i++) {
+    a = expr_compile(power[i].text, &error, &column);
+    assert_int_equal(expr_minus_power(a), power[i].minus);
+    expr_free(a);
+  }
 }
 
 // One place and many give the same bits.
