@@ -43,6 +43,7 @@ static void define_point(Script *s, const Node *n, int tag)
                   "a point needs 3 coordinates {x, y, z}, or 4 numbers with the mesh size; %zu given", count);
     if (count > 5) return;
   }
+  if (count > 3 && c[3] < 0) diag_warning(s->diag, list->loc, "the mesh size %g is negative: the point has none", c[3]);
   double f = s->options->Geometry_ScalingFactor;
   model_add_point(s->model, tag, (Vec3){f * c[0], f * c[1], f * c[2]}, count > 3 ? f * c[3] : 0, n->loc,
                   s->diag);

@@ -10,6 +10,7 @@ void run_mesh_size(Script *s, const Node *n)
   IntVec points = {0};
   eval_ints(s, n->kid[0], 0, &points);
   double lc = eval_number(s, n->kid[1]);
+  if (lc < 0) diag_warning(s->diag, n->loc, "the mesh size %g is negative: the points have none", lc);
   if (s->faults == faults) model_set_size(s->model, points.data, points.len, lc);
   vec_free(&points);
 }
