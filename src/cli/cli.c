@@ -169,6 +169,24 @@ static void set_cell_data(Walk *w)
   }
 }
 
+// x0,y0,x1,y1: two opposite corners.
+static void set_window(Walk *w)
+{
+  const char *s = next_word(w, "window");
+  double *v = w->c->window, x[4];
+  char rest;
+  if (!s) return;
+  if (sscanf(s, "%lf,%lf,%lf,%lf%c", &x[0], &x[1], &x[2], &x[3], &rest) != 4 || !(x[0] != x[2]) || !(x[1] != x[3]) ||
+      !isfinite(x[0] + x[1] + x[2] + x[3])) {
+    usage_error(w, "-window needs two opposite corners x0,y0,x1,y1, not '%'", s, "");
+    return;
+  }
+  for (int k = 0; k < 2; k++) {
+    v[k] = fmin(x[k], x[k + 2]);
+    v[k + 2] = fmax(x[k], x[k + 2]);
+  }
+}
+
 static void next_int(Walk *w, const char *sw, int lo, int hi, int *value)
 {
   double v = 0;
@@ -230,6 +248,7 @@ static void do_command(Walk *w, CommandId id)
   case CMD_CELL_DATA: set_cell_data(w); break;
   case CMD_MARK_WORST: next_int(w, "mark_worst", 0, 50, &c->mark_worst); break;
   case CMD_HISTOGRAM: c->histogram = true; break;
+  case CMD_WINDOW: set_window(w); break;
   case CMD_WIDTH: next_int(w, "width", 200, 20000, &c->width); break;
   case CMD_SYNC: c->sync = true; break;
   case CMD_EXPLAIN_SIZE: c->explain = next_word(w, "explain_size"); break;

@@ -48,6 +48,7 @@ typedef struct {
   int color_by;       // 0: by group; else 1 + a Measure
   unsigned cell_data; // bit k: Measure k
   int width, mark_worst; // of pictures: pixels, elements; 0: default, none
+  double window[4];      // of pictures: x0, y0, x1, y1; all 0: the whole mesh
   int color;             // 0 never, 1 always, 2 auto
   double time_limit;     // seconds, 0: none
   double max_memory;     // bytes, 0: none

@@ -42,6 +42,7 @@ OutOptions output_options(const Job *j)
                       .sync = c->sync,
                       .color = c->color_by,
                       .width = c->width,
+                      .window = {c->window[0], c->window[1], c->window[2], c->window[3]},
                       .mark_worst = c->mark_worst,
                       .histogram = c->histogram,
                       .threads = j->threads};

@@ -64,6 +64,26 @@ void canvas_close(Canvas *c)
   free(c);
 }
 
+void canvas_clip(Canvas *c, double x, double y, double width, double height)
+{
+  if (c->kind == CANVAS_SVG) {
+    writer_printf(c->w, "<clipPath id=\"window\"><rect x=\"%.2f\" y=\"%.2f\" width=\"%.2f\" height=\"%.2f\"/></clipPath>\n"
+                  "<g clip-path=\"url(#window)\">\n", x, y, width, height);
+    return;
+  }
+  cairo_save(c->cr);
+  cairo_rectangle(c->cr, x, y, width, height);
+  cairo_clip(c->cr);
+}
+
+void canvas_end_clip(Canvas *c)
+{
+  if (c->kind == CANVAS_SVG)
+    writer_str(c->w, "</g>\n");
+  else
+    cairo_restore(c->cr);
+}
+
 static void set_color(Canvas *c, Color k) { cairo_set_source_rgba(c->cr, k.r / 255., k.g / 255., k.b / 255., k.a / 255.); }
 
 static void svg_color(Canvas *c, const char *attribute, Color k)

@@ -20,6 +20,10 @@ typedef struct Canvas Canvas;
 Canvas *canvas_open(Writer *w, CanvasKind kind, double width, double height);
 void canvas_close(Canvas *c);
 
+// What is drawn between the two is seen within the rectangle only.
+void canvas_clip(Canvas *c, double x, double y, double width, double height);
+void canvas_end_clip(Canvas *c);
+
 // Fill n closed polygons; polygon i has the points start[i] .. start[i+1]-1 of xy. together: one path with the even-odd
 // rule, so that polygons inside others are holes; else each by itself, without seams between neighbours.
 void canvas_polygons(Canvas *c, Color fill, const double *xy, const uint32_t *start, size_t n, bool together);

@@ -30,6 +30,7 @@ typedef struct {
   // pictures
   int color;                 // 0: by group; else 1 + a Measure
   int width;                 // pixels; 0 means 1400
+  double window[4];          // least x and y, then largest, of what is drawn; all 0: the whole mesh
   int mark_worst;            // elements of least quality to mark with a ring
   bool histogram;            // at the right: of gamma where groups are coloured; a coloured measure always has its own
 } OutOptions;

@@ -53,6 +53,7 @@ static void draw(Writer *w, CanvasKind kind, const Selection *s, const OutOption
   mesh_edges_make(&p.edges, p.mesh);
   p.canvas = canvas_open(w, kind, p.width, p.height);
   Scale scale = picture__scale_of(&p);
+  if (picture__has_window(&p)) canvas_clip(p.canvas, p.left, p.top, p.w, p.h);
   if (!o->color)
     picture__fill_by_group(&p);
   else
@@ -64,6 +65,7 @@ static void draw(Writer *w, CanvasKind kind, const Selection *s, const OutOption
     vec_free(&value);
   }
   if (o->mark_worst) mark_worst(&p, scale.what);
+  if (picture__has_window(&p)) canvas_end_clip(p.canvas);
   picture__legend_title(&p);
   if (o->color || o->histogram) picture__draw_histogram(&p, &scale);
   if (!o->color) picture__legend_groups(&p, 2, "Faces", picture__face_colors, ARRAY_LEN(picture__face_colors));

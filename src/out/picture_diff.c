@@ -71,6 +71,7 @@ static void draw_diff(Writer *w, CanvasKind kind, const Mesh *a, const Mesh *b, 
   picture__measure_edges(&p);
   mesh_edges_make(&p.edges, b);
   p.canvas = canvas_open(w, kind, p.width, p.height);
+  if (picture__has_window(&p)) canvas_clip(p.canvas, p.left, p.top, p.w, p.h);
   push_changed(&p, d->changed[1], false);
   picture__fill(&p, diff_same, false);
   push_changed(&p, d->changed[1], true);
@@ -83,6 +84,7 @@ static void draw_diff(Writer *w, CanvasKind kind, const Mesh *a, const Mesh *b, 
     picture__to_pixel(&p, d->to, at);
     canvas_circle(p.canvas, (Color){210, 0, 90, 255}, 2, at[0], at[1], fmin(20, fmax(7, p.edge_px)));
   }
+  if (picture__has_window(&p)) canvas_end_clip(p.canvas);
   diff_legend(&p, d);
   canvas_close(p.canvas);
   mesh_edges_free(&p.edges);

@@ -38,6 +38,7 @@ typedef struct {
 } Scale;
 
 // picture_mesh.c
+bool picture__has_window(const Picture *p); // only a part is drawn
 void picture__place_nodes(Picture *p);   // choose the view and the page, and place the nodes on it
 void picture__to_pixel(const Picture *p, Vec3 x, double to[2]);
 void picture__measure_edges(Picture *p); // edge_px

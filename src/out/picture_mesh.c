@@ -53,6 +53,8 @@ void picture__to_pixel(const Picture *p, Vec3 x, double to[2])
   to[1] = p->top + (p->hi_y - vec3_dot(x, p->v)) * p->scale;
 }
 
+bool picture__has_window(const Picture *p) { return p->o->window[0] < p->o->window[2] && p->o->window[1] < p->o->window[3]; }
+
 void picture__place_nodes(Picture *p)
 {
   const Mesh *m = p->mesh;
@@ -68,6 +70,10 @@ void picture__place_nodes(Picture *p)
     }
   }
   if (!m->nnode) lo[0] = lo[1] = hi[0] = hi[1] = 0;
+  if (picture__has_window(p)) {
+    memcpy(lo, p->o->window, sizeof lo);
+    memcpy(hi, p->o->window + 2, sizeof hi);
+  }
   double dx = hi[0] - lo[0], dy = hi[1] - lo[1], page = p->o->width ? p->o->width : 1400;
   double legend = fmax(240, 0.21 * page), margin = 28;
   double room_x = page - legend - 3 * margin, room_y = 0.8 * page;
@@ -87,6 +93,14 @@ void picture__place_nodes(Picture *p)
   for (size_t i = 0; i < m->nnode; i++) picture__to_pixel(p, mesh_xyz(m, (uint32_t)i), p->xy + 2 * i);
 }
 
+static bool is_seen(const Picture *p, uint32_t node)
+{
+  const double *x = p->xy + 2 * (size_t)node;
+  if (!picture__has_window(p)) return true;
+  return x[0] >= p->left && x[0] <= p->left + p->w && x[1] >= p->top && x[1] <= p->top + p->h;
+}
+
+// Of the elements that begin within the picture.
 void picture__measure_edges(Picture *p)
 {
   double area = 0;
@@ -94,11 +108,12 @@ void picture__measure_edges(Picture *p)
   for (size_t b = 0; b < p->mesh->nblock; b++) {
     const MeshBlock *k = &p->mesh->block[b];
     if (elem_dim(k->type) != 2) continue;
-    n += k->n;
     for (size_t i = 0; i < k->n; i++) {
       const uint32_t *v = k->node + i * (size_t)elem_nodes(k->type);
       int c = elem_corners(k->type);
       double s = 0;
+      if (!is_seen(p, v[0])) continue;
+      n++;
       for (int j = 0; j < c; j++) {
         const double *a = p->xy + 2 * (size_t)v[j], *q = p->xy + 2 * (size_t)v[(j + 1) % c];
         s += a[0] * q[1] - a[1] * q[0];

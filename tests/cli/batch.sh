@@ -82,6 +82,9 @@ if grep -q 'quality gamma' plain.svg; then not_ok "no histogram unasked"; else o
 exits 2 "-color_by something else" "$MESHGEN" -2 b.geo -color_by colour -o b.svg
 exits 2 "-mark_worst out of range" "$MESHGEN" -2 b.geo -mark_worst 51 -o b.svg
 says "0 to 50" "-mark_worst out of range: the range"
+exits 0 "a part of a picture" "$MESHGEN" -2 b.geo -no_report -window 0.1,0.1,0.4,0.3 -width 800 -o w.svg
+check "is clipped" grep -q 'clip-path="url(#window)"' w.svg
+exits 2 "-window with one corner" "$MESHGEN" -2 b.geo -window 0.1,0.1 -o w.svg
 exits 2 "-width not a whole number" "$MESHGEN" -2 b.geo -width 500.5 -o b.svg
 exits 0 "-sync" "$MESHGEN" -2 b.geo -no_report -sync -o synced.msh
 same "-sync: the same bytes" b.msh synced.msh
