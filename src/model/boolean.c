@@ -119,7 +119,7 @@ static ArrCurve plane_curve(Boolean *b, const Curve *c)
 
 // ---- which faces of the arrangement lie in which inputs ----------------------------------------------------------------------
 
-static bool inside(const Boolean *b, uint32_t face, size_t input)
+bool boolean__inside(const Boolean *b, uint32_t face, size_t input)
 {
   return b->in[face * b->words + input / 64] >> (input % 64) & 1;
 }
@@ -167,7 +167,7 @@ static bool wanted(const Boolean *b, uint32_t face)
 {
   bool object = false, tool = false;
   for (size_t i = 0; i < b->input.len; i++)
-    if (inside(b, face, i)) {
+    if (boolean__inside(b, face, i)) {
       object |= b->input.data[i].object;
       tool |= b->input.data[i].tool;
     }
@@ -205,16 +205,23 @@ static void gather(Boolean *b)
   free(parent);
 }
 
-static uint32_t piece_of(const Boolean *b, uint32_t half) { return b->piece[b->a.face.data[b->a.cycle.data[half]]]; }
+uint32_t boolean__piece_of(const Boolean *b, uint32_t half) { return b->piece[b->a.face.data[b->a.cycle.data[half]]]; }
 
-static bool bounds_piece(const Boolean *b, uint32_t half) { return piece_of(b, half) != NONE && piece_of(b, half) != piece_of(b, half ^ 1); }
+static bool bounds_piece(const Boolean *b, uint32_t half) { return boolean__piece_of(b, half) != NONE && boolean__piece_of(b, half) != boolean__piece_of(b, half ^ 1); }
 
 // ---- the outlines of the pieces -----------------------------------------------------------------------------------------------
 
-static Run run_of(const Boolean *b, uint32_t half)
+Run boolean__run_of(const Boolean *b, uint32_t half)
 {
   const ArrEdge *e = &b->a.edge.data[half / 2];
   bool back = half & 1;
+  for (size_t i = 0; i < e->also.len && !(e->u0 == 0 && e->u1 == 1); i++) { // of curves that coincide there, one that is whole
+    const U32Vec *p = &b->pieces[e->also.data[i]];
+    if (p->len != 1 || b->merged[e->from] || b->merged[e->to]) continue;
+    bool turned = (half ^ p->data[0]) & 1;
+    return (Run){.curve = e->also.data[i], .edge = half / 2, .back = turned, .from = back ? e->to : e->from,
+                 .to = back ? e->from : e->to, .u0 = turned ? 1 : 0, .u1 = turned ? 0 : 1, .whole = true};
+  }
   Run r = {.curve = e->curve, .edge = half / 2, .back = back, .from = back ? e->to : e->from, .to = back ? e->from : e->to,
            .u0 = back ? e->u1 : e->u0, .u1 = back ? e->u0 : e->u1};
   r.whole = e->u0 == 0 && e->u1 == 1;
@@ -256,7 +263,7 @@ static void join_runs(const Boolean *b, Outline *o)
   o->run.len = n;
 }
 
-static double run_area(const Boolean *b, uint32_t half) // of chords: only its sign and order of magnitude count
+double boolean__run_area(const Boolean *b, uint32_t half) // of chords: only its sign and order of magnitude count
 {
   const ArrEdge *e = &b->a.edge.data[half / 2];
   const ArrCurve *c = &b->curve[e->curve];
@@ -268,13 +275,13 @@ static double run_area(const Boolean *b, uint32_t half) // of chords: only its s
 
 static Outline outline(Boolean *b, uint32_t half, bool *seen)
 {
-  Outline o = {.piece = piece_of(b, half)};
+  Outline o = {.piece = boolean__piece_of(b, half)};
   uint32_t h = half;
   do {
     seen[h] = true;
-    vec_push(&o.run, run_of(b, h));
-    o.area += run_area(b, h);
-    for (h = b->a.next.data[h]; !bounds_piece(b, h) || piece_of(b, h) != o.piece;) h = b->a.next.data[h ^ 1];
+    vec_push(&o.run, boolean__run_of(b, h));
+    o.area += boolean__run_area(b, h);
+    for (h = b->a.next.data[h]; !bounds_piece(b, h) || boolean__piece_of(b, h) != o.piece;) h = b->a.next.data[h ^ 1];
   } while (h != half);
   join_runs(b, &o);
   return o;
@@ -306,58 +313,11 @@ static void trace(Boolean *b)
   free(seen);
 }
 
-// Pieces in the order of the inputs they are in; of one input first those in fewest others, then from left to right.
-typedef struct {
-  size_t outline, common;
-  Vec2 corner;
-} Ranked;
-
-static int compare_ranked(const void *x, const void *y)
+uint32_t boolean__node_near(const Boolean *b, Vec2 p)
 {
-  const Ranked *a = x, *b = y;
-  if (a->common != b->common) return a->common < b->common ? -1 : 1;
-  if (a->corner.x != b->corner.x) return a->corner.x < b->corner.x ? -1 : 1;
-  if (a->corner.y != b->corner.y) return a->corner.y < b->corner.y ? -1 : 1;
-  return (a->outline > b->outline) - (a->outline < b->outline);
-}
-
-static Ranked rank_of(const Boolean *b, size_t k)
-{
-  const Outline *o = &b->outline.data[k];
-  Ranked r = {k, 0, {INFINITY, INFINITY}};
-  for (size_t i = 0; i < b->input.len; i++) r.common += inside(b, o->piece, i);
-  for (size_t i = 0; i < o->run.len; i++) {
-    Vec2 p = b->a.node.data[o->run.data[i].from];
-    if (p.x < r.corner.x || (p.x == r.corner.x && p.y < r.corner.y)) r.corner = p;
-  }
-  return r;
-}
-
-static bool piece_is_in(const Boolean *b, uint32_t piece, size_t input)
-{
-  for (uint32_t f = 1; f < b->a.nface; f++)
-    if (b->piece[f] == piece && inside(b, f, input)) return true;
-  return false;
-}
-
-static void order_pieces(Boolean *b)
-{
-  bool *done = mem_zalloc((b->outline.len + 1) * sizeof *done);
-  Vec(Ranked) list = {0};
-  for (size_t i = 0; i < b->input.len; i++) {
-    vec_clear(&list);
-    for (size_t k = 0; k < b->outline.len; k++) {
-      if (k && b->outline.data[k - 1].piece == b->outline.data[k].piece) continue; // a hole
-      if (!piece_is_in(b, b->outline.data[k].piece, i)) continue;
-      b->input.data[i].images++;
-      if (!done[k]) vec_push(&list, rank_of(b, k));
-      done[k] = true;
-    }
-    if (list.len) qsort(list.data, list.len, sizeof *list.data, compare_ranked);
-    for (size_t k = 0; k < list.len; k++) vec_push(&b->order, (uint32_t)list.data[k].outline);
-  }
-  vec_free(&list);
-  free(done);
+  for (uint32_t v = 0; v < b->a.node.len; v++)
+    if (vec2_length(vec2_sub(b->a.node.data[v], p)) <= b->tol) return v;
+  return NONE;
 }
 
 // ---- all ------------------------------------------------------------------------------------------------------------------------
@@ -369,10 +329,17 @@ static void boolean_free(Boolean *b)
   for (size_t i = 0; i < b->outline.len; i++) vec_free(&b->outline.data[i].run);
   vec_free(&b->outline);
   vec_free(&b->bounds);
-  vec_free(&b->source);
   vec_free(&b->input);
   vec_free(&b->cutter);
-  vec_free(&b->order);
+  for (size_t k = 0; k < b->listing.len; k++) {
+    vec_free(&b->listing.data[k].run);
+    vec_free(&b->listing.data[k].wire);
+  }
+  vec_free(&b->listing);
+  for (size_t i = 0; b->pieces && i < b->source.len; i++) vec_free(&b->pieces[i]);
+  free(b->pieces);
+  free(b->merged);
+  vec_free(&b->source);
   map_free(&b->index);
   free(b->curve);
   free(b->in);
@@ -397,8 +364,9 @@ static bool compute(Boolean *b, const char *word)
     return false;
   }
   gather(b);
+  boolean__list_pieces(b);
   trace(b);
-  order_pieces(b);
+  boolean__order(b);
   return true;
 }
 

@@ -4,118 +4,41 @@
 
 #include "model/boolean_int.h"
 
-typedef struct {
-  Boolean *b;
-  int *point;   // per node: tag, or 0
-  Map made;     // curve, from and to of a run -> signed tag of a curve that runs so
-  Map reused;   // tags of source curves that stay
-  IntVec idle;  // points whose place another took
-  bool anew;    // curves were made
-} Apply;
-
 static uint64_t key_of(const Run *r, bool turned)
 {
   uint64_t h = hash__mix(hash__mix(17, turned ? r->to : r->from), turned ? r->from : r->to);
   return hash__mix(h, r->edge);
 }
 
-// ---- what stays -----------------------------------------------------------------------------------------------------------
-
-static uint32_t node_near(const Boolean *b, Vec2 p)
-{
-  for (uint32_t v = 0; v < b->a.node.len; v++)
-    if (vec2_length(vec2_sub(b->a.node.data[v], p)) <= b->tol) return v;
-  return NONE;
-}
-
-// Where `from` stands on a curve, `to` takes its place.
-static void replace_point(Model *m, Curve *c, int from, int to)
-{
-  Point *p = point__get(m, from), *q = point__get(m, to);
-  model__forget_curve(m, c);
-  for (int i = 0; i < c->npoint; i++) {
-    if (c->point[i] != from) continue;
-    c->point[i] = to;
-    p->uses--;
-    q->uses++;
-  }
-  int *end[2] = {&c->begin, &c->end};
-  for (int i = 0; i < 2; i++) {
-    if (*end[i] != from) continue;
-    *end[i] = to;
-    p->uses--;
-    q->uses++;
-  }
-  vec_push(&m->dirty[1], c->tag);
-}
-
-// The end points of curves stand at nodes. Of several at one node the first listed takes the place of all.
-static void known_points(Apply *a)
-{
-  Boolean *b = a->b;
-  for (size_t i = 0; i < b->source.len; i++) {
-    Curve *c = model_curve(b->m, b->source.data[i]);
-    for (int end = 0; end < 2; end++) {
-      uint32_t v = node_near(b, end ? b->curve[i].q : b->curve[i].p);
-      int tag = end ? c->end : c->begin;
-      if (v == NONE || a->point[v] == tag) continue;
-      if (!a->point[v]) {
-        a->point[v] = tag;
-        continue;
-      }
-      replace_point(b->m, c, tag, a->point[v]);
-      vec_push(&a->idle, tag);
-    }
-  }
-}
-
-// Its outlines are the boundary of the face, curve for curve: nothing happened to it.
-static bool is_unchanged(const Boolean *b, size_t first, const Face *f)
-{
-  IntVec curve = {0}, start = {0};
-  face_boundary(b->m, f, &curve, &start);
-  size_t n = 0;
-  bool same = true;
-  for (size_t k = first; same && k < b->outline.len && b->outline.data[k].piece == b->outline.data[first].piece; k++)
-    for (size_t i = 0; same && i < b->outline.data[k].run.len; i++, n++) {
-      const Run *r = &b->outline.data[k].run.data[i];
-      bool found = false;
-      for (size_t j = 0; j < curve.len && r->whole && !found; j++) found = tag__abs(curve.data[j]) == b->source.data[r->curve];
-      same = found;
-    }
-  same = same && n == curve.len;
-  vec_free(&curve);
-  vec_free(&start);
-  return same;
-}
-
-static size_t unchanged_input(const Boolean *b, size_t first)
-{
-  for (size_t i = 0; i < b->input.len; i++)
-    if (is_unchanged(b, first, b->input.data[i].face)) return i;
-  return SIZE_MAX;
-}
-
 // ---- making -----------------------------------------------------------------------------------------------------------------
 
-static int point_of(Apply *a, uint32_t node)
+static int point_of(BooleanApply *a, uint32_t node)
 {
   Boolean *b = a->b;
   if (!a->point[node]) {
     int tag = model__next_tag(b->m, KIND_POINT);
-    point__make(b->m, tag, face_from_plane(b->input.data[0].face, b->a.node.data[node]), 0, b->loc);
+    point__make(b->m, tag, face_from_plane(b->input.data[0].face, b->a.node.data[node]), a->lc[node], b->loc);
     a->point[node] = tag;
   }
   return a->point[node];
 }
 
-static int new_curve(Apply *a, const Run *r)
+static int new_curve(BooleanApply *a, const Run *r)
 {
   Boolean *b = a->b;
   Model *m = b->m;
   int pair[2] = {point_of(a, r->from), point_of(a, r->to)}, tag = model__next_tag(m, KIND_CURVE);
   const ArrCurve *k = &b->curve[r->curve];
-  a->anew = true;
+  if (k->kind == ARR_CHAIN) {
+    Curve *old = &a->stash[r->curve].curve;
+    for (int i = 0; i < old->npoint; i++)
+      if (old->point[i] == old->begin || old->point[i] == old->end) old->point[i] = pair[old->point[i] != old->begin];
+    Curve *c = curve__make(m, tag, old->type, old->point, old->npoint, pair[0], pair[1], b->loc);
+    c->knot = old->knot;
+    c->nknot = old->nknot;
+    c->pieces = old->pieces;
+    return tag;
+  }
   if (k->kind == ARR_LINE) {
     curve__make(m, tag, CURVE_LINE, pair, 2, pair[0], pair[1], b->loc);
     return tag;
@@ -135,44 +58,80 @@ static int new_curve(Apply *a, const Run *r)
   return tag;
 }
 
-static int curve_of(Apply *a, const Run *r)
+static int curve_of(BooleanApply *a, const Run *r)
 {
-  if (r->whole) return r->back ? -a->b->source.data[r->curve] : a->b->source.data[r->curve];
+  int source = a->b->source.data[r->curve];
+  if (r->whole && !a->stash[r->curve].set) return r->back ? -source : source;
   uint32_t known = map_get(&a->made, key_of(r, false));
   if (known != NONE) return (int)known;
   known = map_get(&a->made, key_of(r, true));
   if (known != NONE) return -(int)known;
-  int tag = new_curve(a, r);
-  map_set(&a->made, key_of(r, false), (uint32_t)tag);
-  return tag;
+  Run along = *r;
+  if (r->back) along.from = r->to, along.to = r->from, along.u0 = r->u1, along.u1 = r->u0, along.back = false;
+  int tag = new_curve(a, &along);
+  map_set(&a->made, key_of(&along, false), (uint32_t)tag);
+  return r->back ? -tag : tag;
 }
 
-static int new_face(Apply *a, size_t first, int tag)
+// Numbers are given in the order of the wires: curves, and points as they come along them.
+static void number_runs(BooleanApply *a, const Listing *l)
 {
-  Boolean *b = a->b;
-  IntVec loop = {0}, curve = {0};
-  uint32_t piece = b->outline.data[first].piece;
-  for (size_t k = first; k < b->outline.len && b->outline.data[k].piece == piece; k++) {
-    vec_clear(&curve);
-    for (size_t i = 0; i < b->outline.data[k].run.len; i++) vec_push(&curve, curve_of(a, &b->outline.data[k].run.data[i]));
-    vec_push(&loop, loop__make_hidden(b->m, curve.data, (int)curve.len, b->loc));
+  for (size_t i = 0; i < l->run.len; i++) curve_of(a, &l->run.data[i]);
+}
+
+// The rank of the wire that an outline is; NONE: a part of one, or several.
+static uint32_t wire_of(const Listing *l, const Outline *o)
+{
+  for (size_t w = 0; w + 1 < l->wire.len; w++) {
+    size_t from = l->wire.data[w], n = l->wire.data[w + 1] - from;
+    for (size_t i = 0; i < n && n == o->run.len; i++)
+      if (l->run.data[from + i].edge == o->run.data[0].edge) return (uint32_t)w;
   }
-  face__make(b->m, tag, FACE_PLANE, loop.data, (int)loop.len, b->loc);
-  vec_free(&loop);
+  return NONE;
+}
+
+// The loop of an outline, from the edge on that comes first in its wire, which is noted for the next operation on this face.
+static int new_loop(BooleanApply *a, const Listing *l, const Outline *o, uint32_t wire)
+{
+  Model *m = a->b->m;
+  size_t n = o->run.len, from = wire == NONE ? 0 : l->wire.data[wire], at = 0;
+  for (size_t i = 0; i < n && wire != NONE; i++)
+    if (o->run.data[i].edge == l->run.data[from].edge) at = i;
+  IntVec curve = {0};
+  for (size_t i = 0; i < n; i++) vec_push(&curve, curve_of(a, &o->run.data[(at + i) % n]));
+  int tag = loop__make_hidden(m, curve.data, (int)n, a->b->loc);
+  if (wire != NONE) {
+    int *order = arena_alloc(&m->arena, n * sizeof *order);
+    for (size_t i = 0; i < n; i++) order[i] = tag__abs(curve_of(a, &l->run.data[from + i]));
+    Loop *loop = model_loop(m, tag);
+    loop->wire = order;
+    loop->nwire = (int)n;
+  }
   vec_free(&curve);
   return tag;
 }
 
-// Edges with one piece on both sides lie in its face.
-static void embed_inner(Apply *a, uint32_t piece, int face)
+static int new_face(BooleanApply *a, const Listing *l, int tag)
 {
   Boolean *b = a->b;
-  for (uint32_t e = 0; e < b->a.edge.len && b->op == BOOLEAN_FRAGMENTS; e++) {
-    uint32_t f = b->a.face.data[b->a.cycle.data[2 * e]], g = b->a.face.data[b->a.cycle.data[2 * e + 1]];
-    if (f != g || b->piece[f] != piece) continue;
-    const ArrEdge *g2 = &b->a.edge.data[e];
-    Run r = {.curve = g2->curve, .edge = e, .from = g2->from, .to = g2->to, .u0 = g2->u0, .u1 = g2->u1,
-             .whole = g2->u0 == 0 && g2->u1 == 1};
+  IntVec loop = {0};
+  uint32_t piece = b->outline.data[l->outline].piece;
+  for (size_t w = 0; w < l->wire.len; w++) // the last turn: what is no wire
+    for (size_t k = l->outline; k < b->outline.len && b->outline.data[k].piece == piece; k++) {
+      uint32_t own = wire_of(l, &b->outline.data[k]);
+      if (own == (w + 1 < l->wire.len ? (uint32_t)w : NONE)) vec_push(&loop, new_loop(a, l, &b->outline.data[k], own));
+    }
+  face__make(b->m, tag, FACE_PLANE, loop.data, (int)loop.len, b->loc);
+  vec_free(&loop);
+  return tag;
+}
+
+static void embed_inner(BooleanApply *a, uint32_t piece, int face)
+{
+  Boolean *b = a->b;
+  for (uint32_t e = 0; e < b->a.edge.len; e++) {
+    if (!boolean__is_inner(b, e, piece)) continue;
+    Run r = boolean__inner_run(b, e);
     int tag = tag__abs(curve_of(a, &r));
     model_embed(b->m, 1, &tag, 1, face, b->loc, b->diag);
   }
@@ -180,7 +139,7 @@ static void embed_inner(Apply *a, uint32_t piece, int face)
 
 // ---- removing ---------------------------------------------------------------------------------------------------------------
 
-static void note_reused(Apply *a)
+static void note_reused(BooleanApply *a)
 {
   Boolean *b = a->b;
   for (size_t k = 0; k < b->outline.len; k++)
@@ -194,63 +153,107 @@ static void note_reused(Apply *a)
   }
 }
 
+static bool goes(const Boolean *b, size_t source)
+{
+  for (size_t k = 0; k < b->cutter.len; k++)
+    if (b->cutter.data[k].tag == b->source.data[source]) return b->cutter.data[k].drop;
+  for (size_t k = 0; k < b->bounds.data[source].len; k++)
+    if (b->input.data[b->bounds.data[source].data[k]].drop) return true;
+  return false;
+}
+
+// A whole curve of the result that nothing but the inputs had, and that does not keep its number.
+static void stash_curve(BooleanApply *a, size_t source, ShapeVec *gone)
+{
+  Model *m = a->b->m;
+  int tag = a->b->source.data[source];
+  const Curve *c = model_curve(m, tag);
+  if (c->uses || a->keep_curve[source] || (c->in_loops && a->b->curve[source].kind == ARR_CHAIN && c->pieces)) return;
+  a->stash[source] = (Stash){*c, true};
+  a->stash[source].curve.shape = NULL;
+  a->stash[source].curve.point = arena_dup(&m->arena, c->point, (size_t)c->npoint * sizeof *c->point);
+  if (a->b->curve[source].kind == ARR_CHAIN)
+    for (int i = 0; i < c->npoint; i++) point__get(m, c->point[i])->uses++;
+  vec_push(gone, ((Shape){1, tag}));
+}
+
+static void release_stash(BooleanApply *a)
+{
+  for (size_t i = 0; i < a->b->source.len; i++) {
+    const Curve *c = &a->stash[i].curve;
+    if (!a->stash[i].set || a->b->curve[i].kind != ARR_CHAIN) continue;
+    for (int k = 0; k < c->npoint; k++) {
+      Point *p = point__get(a->b->m, c->point[k]);
+      if (p) p->uses--;
+    }
+  }
+}
+
 // The faces that go, their curves that nothing uses, and what of their points neither. Nodes of the result stay.
-static void remove_inputs(Apply *a, const bool *stays)
+static void remove_inputs(BooleanApply *a)
 {
   Boolean *b = a->b;
   Model *m = b->m;
   for (size_t v = 0; v < b->a.node.len; v++)
     if (a->point[v]) point__get(m, a->point[v])->uses++;
+  bool *stays = mem_zalloc((b->input.len + 1) * sizeof *stays);
+  for (size_t k = 0; k < b->listing.len; k++)
+    if (a->kept[k]) stays[a->same[k]] = true;
   for (size_t i = 0; i < b->input.len; i++)
     if (b->input.data[i].drop && !stays[i] && !b->input.data[i].face->uses) face__drop(m, b->input.data[i].tag);
+  free(stays);
   ShapeVec gone = {0};
   for (size_t i = 0; i < b->source.len; i++) {
-    int tag = b->source.data[i];
-    bool cutter = false, drop = true;
-    for (size_t k = 0; k < b->cutter.len; k++)
-      if (b->cutter.data[k].tag == tag) cutter = true, drop = b->cutter.data[k].drop;
-    bool mine = cutter && drop;
-    for (size_t k = 0; k < b->bounds.data[i].len && !cutter; k++) mine = mine || b->input.data[b->bounds.data[i].data[k]].drop;
-    if (mine && map_get(&a->reused, (uint64_t)tag) == NONE) vec_push(&gone, ((Shape){1, tag}));
+    if (!goes(b, i)) continue;
+    if (map_get(&a->reused, (uint64_t)b->source.data[i]) == NONE)
+      vec_push(&gone, ((Shape){1, b->source.data[i]}));
+    else
+      stash_curve(a, i, &gone);
   }
   model_delete(m, gone.data, gone.len, true);
   vec_free(&gone);
-  for (size_t v = 0; v < b->a.node.len; v++)
-    if (a->point[v]) point__get(m, a->point[v])->uses--;
+  for (size_t v = 0; v < b->a.node.len; v++) {
+    if (!a->point[v]) continue;
+    Point *p = point__get(m, a->point[v]);
+    p->uses--;
+    a->lc[v] = p->lc;
+  }
   model__recount(m, KIND_FACE);
   model__recount(m, KIND_CURVE);
 }
 
+// Points that nothing else has get new numbers, in the order of the curves.
+static void forget_points(BooleanApply *a)
+{
+  Boolean *b = a->b;
+  for (size_t v = 0; v < b->a.node.len; v++) {
+    const Point *p = a->point[v] ? point__get(b->m, a->point[v]) : NULL;
+    if (!p || p->uses) continue;
+    Shape s = {0, a->point[v]};
+    model_delete(b->m, &s, 1, false);
+    a->point[v] = 0;
+  }
+  for (size_t i = 0; i < a->idle.len; i++) {
+    Shape s = {0, a->idle.data[i]};
+    model_delete(b->m, &s, 1, false);
+  }
+  vec_free(&a->idle);
+  model__recount(b->m, KIND_POINT);
+}
+
 // Points of the nodes that came to nothing.
-static void remove_idle_points(Apply *a)
+static void remove_idle_points(BooleanApply *a)
 {
   for (size_t v = 0; v < a->b->a.node.len; v++) {
     Shape s = {0, a->point[v]};
     if (s.tag) model_delete(a->b->m, &s, 1, false);
   }
-  for (size_t i = 0; i < a->idle.len; i++) {
-    Shape s = {0, a->idle.data[i]};
-    model_delete(a->b->m, &s, 1, false);
-  }
-  vec_free(&a->idle);
   model__recount(a->b->m, KIND_POINT);
 }
 
 // ---- all ----------------------------------------------------------------------------------------------------------------------
 
-// The tag of the one input that is dropped and comes out as this piece only, if it is free.
-static int preserved(const Boolean *b, const Outline *o)
-{
-  for (size_t i = 0; i < b->input.len; i++) {
-    const BooleanInput *in = &b->input.data[i];
-    if (!in->drop || in->images != 1 || model_face(b->m, in->tag)) continue;
-    for (uint32_t f = 1; f < b->a.nface; f++)
-      if (b->piece[f] == o->piece && b->in[f * b->words + i / 64] >> (i % 64) & 1) return in->tag;
-  }
-  return 0;
-}
-
-static void output_cutters(Apply *a, ShapeVec *out)
+static void output_cutters(BooleanApply *a, ShapeVec *out)
 {
   Boolean *b = a->b;
   for (size_t k = 0; k < b->cutter.len; k++)
@@ -259,7 +262,7 @@ static void output_cutters(Apply *a, ShapeVec *out)
       bool mine = b->source.data[g->curve] == b->cutter.data[k].tag;
       for (size_t i = 0; i < g->also.len && !mine; i++) mine = b->source.data[g->also.data[i]] == b->cutter.data[k].tag;
       if (!mine) continue;
-      Run r = {.curve = g->curve, .edge = e, .from = g->from, .to = g->to, .u0 = g->u0, .u1 = g->u1, .whole = g->u0 == 0 && g->u1 == 1};
+      Run r = boolean__inner_run(b, e);
       vec_push(out, ((Shape){1, tag__abs(curve_of(a, &r))}));
     }
 }
@@ -273,54 +276,106 @@ static void copy_arcs(Boolean *b)
   }
 }
 
+// How to mesh a face stays with it when nothing happened to it but new numbers.
+static void copy_attributes(Face *to, const Face *from)
+{
+  to->recombine = from->recombine;
+  to->recombine_angle = from->recombine_angle;
+  to->algorithm = from->algorithm;
+  to->size_from_boundary = from->size_from_boundary;
+  to->smoother = from->smoother;
+  to->reverse_mesh = from->reverse_mesh;
+}
+
+// Tags of the listed faces: their owners', what was asked for, or what is free then.
+static void choose_tags(const BooleanApply *a, int asked, int *tag)
+{
+  const Boolean *b = a->b;
+  int next = model__next_tag(b->m, KIND_FACE);
+  if (asked >= next) next = asked + 1;
+  for (size_t k = 0; k < b->listing.len; k++) {
+    if (!tag[k] && a->owner[k] != NONE && !model_face(b->m, b->input.data[a->owner[k]].tag)) tag[k] = b->input.data[a->owner[k]].tag;
+    if (!tag[k] && k == 0 && asked >= 0) tag[k] = asked;
+    if (tag[k] >= next) next = tag[k] + 1;
+  }
+  for (size_t k = 0; k < b->listing.len; k++)
+    if (!tag[k]) tag[k] = next++;
+}
+
+static bool tag_is_free(const Boolean *b, int tag)
+{
+  if (tag < 0 || !model_face(b->m, tag)) return true;
+  for (size_t i = 0; i < b->input.len; i++)
+    if (b->input.data[i].tag == tag && b->input.data[i].drop) return true;
+  return false;
+}
+
+// The listed faces that are inputs unchanged which stay; the others are made: first what has a new number, then what has an old one.
+static void make_faces(BooleanApply *a, const Face *old, int asked, ShapeVec *out)
+{
+  const bool *kept = a->kept;
+  const size_t *same = a->same;
+  Boolean *b = a->b;
+  int *tag = mem_zalloc((b->listing.len + 1) * sizeof *tag);
+  for (size_t k = 0; k < b->listing.len; k++)
+    if (kept[k]) tag[k] = b->input.data[same[k]].tag;
+  choose_tags(a, asked, tag);
+  ShapeVec cut = {0};
+  for (int owned = 0; owned < 2; owned++) {
+    for (size_t k = 0; k < b->listing.len; k++)
+      if (!kept[k] && (a->owner[k] != NONE) == (owned == 1)) number_runs(a, &b->listing.data[k]);
+    if (!owned) output_cutters(a, &cut);
+  }
+  for (int owned = 1; owned >= 0; owned--)
+    for (size_t k = 0; k < b->listing.len; k++) {
+      if ((kept[k] || a->owner[k] != NONE) != (owned == 1)) continue;
+      if (!kept[k]) new_face(a, &b->listing.data[k], tag[k]);
+      if (!kept[k] && same[k] != SIZE_MAX) copy_attributes(model_face(b->m, tag[k]), &old[same[k]]);
+      vec_push(out, ((Shape){2, tag[k]}));
+    }
+  for (size_t k = 0; k < b->listing.len; k++) embed_inner(a, boolean__piece_at(b, k), tag[k]);
+  for (size_t i = 0; i < cut.len; i++) vec_push(out, cut.data[i]);
+  vec_free(&cut);
+  free(tag);
+}
+
+static void apply_free(BooleanApply *a)
+{
+  map_free(&a->made);
+  map_free(&a->reused);
+  free(a->point);
+  free(a->lc);
+  free(a->keep_curve);
+  free(a->same);
+  free(a->kept);
+  free(a->owner);
+  free(a->stash);
+}
+
 bool boolean__apply(Boolean *b, int tag, ShapeVec *out)
 {
-  if (tag >= 0 && model_face(b->m, tag)) {
-    bool goes = false;
-    for (size_t i = 0; i < b->input.len; i++) goes = goes || (b->input.data[i].tag == tag && b->input.data[i].drop);
-    if (!goes) return tag__claim(b->m, KIND_FACE, tag, b->loc, b->diag) >= 0;
-  }
-  Apply a = {.b = b, .point = mem_zalloc((b->a.node.len + 1) * sizeof *a.point)};
-  Face frame = *b->input.data[0].face; // its plane outlives it
-  known_points(&a);
+  if (!tag_is_free(b, tag)) return tag__claim(b->m, KIND_FACE, tag, b->loc, b->diag) >= 0;
+  size_t nnode = b->a.node.len + 1, nsource = b->source.len + 1;
+  BooleanApply a = {.b = b,
+             .point = mem_zalloc(nnode * sizeof(int)),
+             .lc = mem_zalloc(nnode * sizeof(double)),
+             .keep_curve = mem_zalloc(nsource * sizeof(bool)),
+             .same = mem_alloc((b->listing.len + 1) * sizeof(size_t)),
+             .kept = mem_zalloc((b->listing.len + 1) * sizeof(bool)),
+             .owner = mem_alloc((b->listing.len + 1) * sizeof(uint32_t)),
+             .stash = mem_zalloc(nsource * sizeof(Stash))};
+  Face *old = mem_zalloc((b->input.len + 1) * sizeof *old); // the plane of the first outlives it
+  for (size_t i = 0; i < b->input.len; i++) old[i] = *b->input.data[i].face;
+  boolean__plan(&a, tag >= 0);
   copy_arcs(b);
   note_reused(&a);
-  bool *stays = mem_zalloc((b->input.len + 1) * sizeof *stays);
-  size_t *same = mem_alloc((b->order.len + 1) * sizeof *same);
-  for (size_t k = 0; k < b->order.len; k++) {
-    same[k] = unchanged_input(b, b->order.data[k]);
-    if (same[k] != SIZE_MAX) stays[same[k]] = tag < 0;
-  }
-  remove_inputs(&a, stays);
-  b->input.data[0].face = &frame;
-  IntVec made = {0};
-  for (size_t k = 0; k < b->order.len; k++) {
-    const Outline *o = &b->outline.data[b->order.data[k]];
-    bool kept = same[k] != SIZE_MAX && stays[same[k]];
-    int t = kept ? b->input.data[same[k]].tag : tag >= 0 && k == 0 ? tag : tag >= 0 ? 0 : preserved(b, o);
-    if (!kept && t) new_face(&a, b->order.data[k], t);
-    if (t) vec_push(out, ((Shape){2, t}));
-    vec_push(&made, t);
-  }
-  for (size_t k = 0; k < b->order.len; k++) { // the others take what tags are free then
-    if (!made.data[k]) {
-      made.data[k] = new_face(&a, b->order.data[k], model__next_tag(b->m, KIND_FACE));
-      vec_push(out, ((Shape){2, made.data[k]}));
-    }
-    embed_inner(&a, b->outline.data[b->order.data[k]].piece, made.data[k]);
-  }
-  output_cutters(&a, out);
+  remove_inputs(&a);
+  forget_points(&a);
+  b->input.data[0].face = old;
+  make_faces(&a, old, tag, out);
+  release_stash(&a);
   remove_idle_points(&a);
-  if (a.anew && !b->m->boolean_noted) {
-    diag_warning(b->diag, b->loc, "curves and points made by Boolean operations have numbers of their own order, not OpenCASCADE's: choose them by "
-                                  "Boundary{..} or In BoundingBox{..}");
-    b->m->boolean_noted = true;
-  }
-  vec_free(&made);
-  free(same);
-  free(stays);
-  map_free(&a.made);
-  map_free(&a.reused);
-  free(a.point);
+  apply_free(&a);
+  free(old);
   return true;
 }

@@ -31,6 +31,13 @@ typedef struct {
   Vec(Run) run;
 } Outline;
 
+// A face of the result as OpenCASCADE lists it: its wires, the outer one first; `wire` says where each begins among the runs.
+typedef struct {
+  uint32_t outline; // of its outer boundary
+  Vec(Run) run;
+  U32Vec wire;
+} Listing;
+
 typedef struct {
   Model *m;
   BooleanOp op;
@@ -51,9 +58,49 @@ typedef struct {
   uint32_t *piece;       // per face: its piece of the result, or NONE
   uint32_t *degree;      // per node: ends of boundary edges
   Vec(Outline) outline;  // by piece, the outer one first
-  U32Vec order;          // outer outlines in the order of the new faces
+  U32Vec *pieces;        // per source: half-edges along it
+  bool *merged;          // per node: several points are there
+  Vec(Listing) listing;  // the faces of the result in order
 } Boolean;
 
+// boolean.c
+bool boolean__inside(const Boolean *b, uint32_t face, size_t input);
+uint32_t boolean__piece_of(const Boolean *b, uint32_t half); // NONE: not in the result
+Run boolean__run_of(const Boolean *b, uint32_t half);
+double boolean__run_area(const Boolean *b, uint32_t half);
+uint32_t boolean__node_near(const Boolean *b, Vec2 p);
+
+// boolean_order.c
+void boolean__list_pieces(Boolean *b);
+void boolean__order(Boolean *b); // fills `listing`, and `images` of the inputs
+void boolean__list_as_input(Boolean *b, size_t listed, size_t input); // a listed face that is this input: by its own wires
+
+typedef struct {
+  Curve curve;  // as it was; its points are kept from being deleted
+  bool set;
+} Stash;
+
+typedef struct {
+  Boolean *b;
+  int *point;     // per node: tag, or 0
+  double *lc;     // per node: size of its point
+  bool *keep_curve; // per source: keeps its number though its last input goes
+  size_t *same;     // per listed face: input that is it, curve for curve; or SIZE_MAX
+  bool *kept;       // per listed face: is that input, which stays
+  uint32_t *owner;  // per listed face: input whose tag it takes, or NONE
+  Stash *stash;   // per source: to be made anew
+  Map made;       // curve, from and to of a run -> signed tag of a curve that runs so
+  Map reused;     // tags of source curves that stay
+  IntVec idle;    // points whose place another took
+} BooleanApply;
+
+// boolean_number.c: what keeps its number. Fills `point`, `idle`, `same`, `kept`, `owner`, `keep_curve`; numbered: a tag was asked for.
+void boolean__plan(BooleanApply *a, bool numbered);
+uint32_t boolean__piece_at(const Boolean *b, size_t listed);
+Run boolean__inner_run(const Boolean *b, uint32_t edge);
+bool boolean__is_inner(const Boolean *b, uint32_t edge, uint32_t piece); // one piece on both sides: it lies in its face
+
+// boolean_apply.c
 bool boolean__apply(Boolean *b, int tag, ShapeVec *out);
 
 #endif

@@ -106,6 +106,8 @@ typedef struct {
   int *curve;             // signed curve tags, ncurve of them, head to tail after model_prepare
   int ncurve;
   bool sorted, reported, lost; // head to tail; the user was told what is wrong with it; one of its curves was deleted
+  const int *wire;        // after a Boolean operation: the tags in OpenCASCADE's order, nwire of them; else NULL
+  int nwire;
   SrcLoc loc;
 } Loop;
 

@@ -100,7 +100,6 @@ struct Model {
   Box3 extent;              // of all points there ever were
   bool cell_on, curve_on, face_on;
   size_t nembedded, ncorners; // faces that have them
-  bool boolean_noted;       // the user was told of the numbers of what Boolean operations make
   Vec(JoinedCurve) joint;   // curves that lead a chain while prepared
   bool parted;              // there were some, and an edit came
   Vec(MovedPoint) moved;    // points that stand at the start of a closed curve while prepared; their own places

@@ -10,6 +10,23 @@ static void push(ShapeVec *out, int dim, int tag)
   vec_push(out, s);
 }
 
+// OpenCASCADE lists a loop from the first curve of its wire on, the way that one runs: turns a loop that a Boolean operation made.
+static void turn_as_listed(int *curve, size_t n, int first)
+{
+  for (size_t turns = 0; turns < n && tag__abs(curve[0]) != first; turns++) {
+    int c = curve[0];
+    memmove(curve, curve + 1, (n - 1) * sizeof *curve);
+    curve[n - 1] = c;
+  }
+  if (n == 0 || curve[0] > 0) return;
+  for (size_t i = 0; i < n; i++) curve[i] = -curve[i];
+  for (size_t i = 1, k = n - 1; i < k; i++, k--) {
+    int c = curve[i];
+    curve[i] = curve[k];
+    curve[k] = c;
+  }
+}
+
 static void boundary_of(const Model *m, Shape s, ShapeVec *out)
 {
   bool back = s.tag < 0;
@@ -19,7 +36,12 @@ static void boundary_of(const Model *m, Shape s, ShapeVec *out)
   }
   if (s.dim == 2) {
     IntVec curve = {0}, start = {0};
-    face_boundary(m, model_face(m, s.tag), &curve, &start);
+    const Face *f = model_face(m, s.tag);
+    face_boundary(m, f, &curve, &start);
+    for (size_t k = 0; k + 1 < start.len && start.len - 1 == (size_t)f->nloop; k++) {
+      const Loop *l = model_loop(m, f->loop[k]);
+      if (l && l->wire) turn_as_listed(curve.data + start.data[k], (size_t)(start.data[k + 1] - start.data[k]), l->wire[0]);
+    }
     for (size_t i = 0; i < curve.len; i++) push(out, 1, back ? -curve.data[i] : curve.data[i]);
     vec_free(&curve);
     vec_free(&start);

@@ -1,0 +1,209 @@
+// The numbers of faces, curves and points after Boolean operations are OpenCASCADE's, as measured.
+SetFactory("OpenCASCADE");
+Macro List_all
+  f() = Surface{:};
+  For i In {0:#f()-1}
+    b() = Abs(Boundary{ Surface{f(i)}; }); Printf(Sprintf("f%g", f(i)), b());
+  EndFor
+  c() = Curve{:};
+  For i In {0:#c()-1}
+    x() = BoundingBox Curve{c(i)};
+    Printf("c%g %g,%g %g,%g", c(i), Round(100*x(0)), Round(100*x(1)), Round(100*x(3)), Round(100*x(4)));
+  EndFor
+  p() = Point{:}; Printf("p", p());
+  Delete All;
+  SetFactory("OpenCASCADE");
+Return
+// a hole: its curve keeps its number, as it goes last
+Rectangle(1) = {0,0,0, 2,1}; Disk(2) = {.5,.5,0, .2};
+BooleanDifference{ Surface{1}; Delete; }{ Surface{2}; Delete; }
+Call List_all;
+// nothing keeps its number when a number is asked for
+Rectangle(1) = {0,0,0, 2,1}; Disk(2) = {.5,.5,0, .2};
+BooleanDifference(3) = { Surface{1}; Delete; }{ Surface{2}; Delete; };
+Call List_all;
+// two that overlap
+Rectangle(1) = {0,0,0, 2,2}; Rectangle(2) = {1,1,0, 2,2};
+BooleanFragments{ Surface{1}; Delete; }{ Surface{2}; Delete; }
+Call List_all;
+// neighbours, and one that nothing touches
+Rectangle(1) = {0,0,0, 1,1}; Rectangle(2) = {1,0,0, 1,1}; Rectangle(3) = {9,0,0, 1,1};
+BooleanFragments{ Surface{1}; Delete; }{ Surface{2,3}; Delete; }
+Call List_all;
+// new faces first, then what has a number already
+Rectangle(1) = {0,0,0, 2,2}; Rectangle(2) = {0,0,0, 1,1};
+BooleanFragments{ Surface{1}; Delete; }{ Surface{2}; Delete; }
+Call List_all;
+// holes that overlap, and one by itself
+Rectangle(1) = {0,0,0, 4,4}; Disk(2) = {1,1,0, .5}; Disk(3) = {3,3,0, .5}; Disk(4) = {1.5,1,0, .5};
+BooleanFragments{ Surface{1}; Delete; }{ Surface{2:4}; Delete; }
+Call List_all;
+// a line that cuts through, and one inside
+Rectangle(1) = {0,0,0, 2,2}; Point(9) = {-1,1,0}; Point(10) = {3,1,0}; Line(9) = {9,10};
+BooleanFragments{ Surface{1}; Delete; }{ Curve{9}; Delete; }
+Call List_all;
+Rectangle(1) = {0,0,0, 2,2}; Point(9) = {.5,1,0}; Point(10) = {1.5,1,0}; Line(9) = {9,10};
+BooleanFragments{ Surface{1}; Delete; }{ Curve{9}; Delete; }
+Call List_all;
+// one upon the other
+Rectangle(5) = {0,0,0, 2,2}; Rectangle(7) = {1,1,0, 2,2};
+BooleanIntersection{ Surface{5}; Delete; }{ Surface{7}; Delete; }
+Call List_all;
+Rectangle(5) = {0,0,0, 2,2}; Rectangle(7) = {1,1,0, 2,2};
+BooleanUnion{ Surface{5}; Delete; }{ Surface{7}; Delete; }
+Call List_all;
+Rectangle(5) = {0,0,0, 2,2}; Disk(7) = {1,1,0, .3};
+BooleanIntersection{ Surface{5}; Delete; }{ Surface{7}; Delete; }
+Call List_all;
+// twice: the second works on what the first made
+Rectangle(1) = {0,0,0, 3,1}; Rectangle(2) = {1,-1,0, 1,3};
+BooleanFragments{ Surface{1}; Delete; }{ Surface{2}; Delete; }
+Disk(50) = {1.5,.5,0, .3};
+BooleanDifference{ Surface{:}; Delete; }{ Surface{50}; Delete; }
+Call List_all;
+// expect: f1 [0]6 [1]8 [2]9 [3]7 [4]5
+// expect: c5 30,30 70,70
+// expect: c6 0,0 200,0
+// expect: c7 0,0 0,100
+// expect: c8 200,0 200,100
+// expect: c9 0,100 200,100
+// expect: p [0]5 [1]6 [2]7 [3]8 [4]9
+// expect: [delete 0]
+// expect: f3 [0]1 [1]3 [2]4 [3]2 [4]5
+// expect: c1 0,0 200,0
+// expect: c2 0,0 0,100
+// expect: c3 200,0 200,100
+// expect: c4 0,100 200,100
+// expect: c5 30,30 70,70
+// expect: p [0]1 [1]2 [2]3 [3]4 [4]5
+// expect: [delete 0]
+// expect: f1 [0]1 [1]6 [2]5 [3]4 [4]3 [5]2
+// expect: f2 [0]4 [1]8 [2]7 [3]3
+// expect: f3 [0]8 [1]7 [2]9 [3]10 [4]11 [5]12
+// expect: c1 0,0 0,200
+// expect: c2 0,200 100,200
+// expect: c3 100,100 100,200
+// expect: c4 100,100 200,100
+// expect: c5 200,0 200,100
+// expect: c6 0,0 200,0
+// expect: c7 100,200 200,200
+// expect: c8 200,100 200,200
+// expect: c9 100,200 100,300
+// expect: c10 100,300 300,300
+// expect: c11 300,100 300,300
+// expect: c12 200,100 300,100
+// expect: p [0]1 [1]2 [2]3 [3]4 [4]5 [5]6 [6]7 [7]8 [8]9 [9]10
+// expect: [delete 0]
+// expect: f1 [0]13 [1]14 [2]15 [3]16
+// expect: f2 [0]17 [1]18 [2]19 [3]14
+// expect: f3 [0]9 [1]10 [2]11 [3]12
+// expect: c9 900,0 1000,0
+// expect: c10 1000,0 1000,100
+// expect: c11 900,100 1000,100
+// expect: c12 900,0 900,100
+// expect: c13 0,0 100,0
+// expect: c14 100,0 100,100
+// expect: c15 0,100 100,100
+// expect: c16 0,0 0,100
+// expect: c17 100,0 200,0
+// expect: c18 200,0 200,100
+// expect: c19 100,100 200,100
+// expect: p [0]9 [1]10 [2]11 [3]12 [4]13 [5]14 [6]15 [7]16 [8]17 [9]18
+// expect: [delete 0]
+// expect: f2 [0]7 [1]8 [2]1 [3]2
+// expect: f3 [0]1 [1]2 [2]3 [3]4 [4]5 [5]6
+// expect: c1 100,0 100,100
+// expect: c2 0,100 100,100
+// expect: c3 0,100 0,200
+// expect: c4 0,200 200,200
+// expect: c5 200,0 200,200
+// expect: c6 100,0 200,0
+// expect: c7 0,0 0,100
+// expect: c8 0,0 100,0
+// expect: p [0]1 [1]2 [2]3 [3]4 [4]5 [5]6 [6]7
+// expect: [delete 0]
+// expect: f3 [0]8
+// expect: f4 [0]1 [1]3 [2]4 [3]2 [4]5 [5]6 [6]7 [7]8
+// expect: f5 [0]9 [1]11 [2]10
+// expect: f6 [0]11 [1]7 [2]6 [3]9
+// expect: f7 [0]10 [1]5
+// expect: c1 0,0 400,0
+// expect: c2 0,0 0,400
+// expect: c3 400,0 400,400
+// expect: c4 0,400 400,400
+// expect: c5 50,50 125,150
+// expect: c6 125,50 200,100
+// expect: c7 125,100 200,150
+// expect: c8 250,250 350,350
+// expect: c9 125,57 150,100
+// expect: c10 100,57 125,143
+// expect: c11 125,100 150,143
+// expect: p [0]1 [1]2 [2]3 [3]4 [4]5 [5]6 [6]7 [7]8 [8]9
+// expect: [delete 0]
+// expect: f1 [0]1 [1]4 [2]3 [3]2
+// expect: f2 [0]5 [1]2 [2]7 [3]6
+// expect: c1 0,0 0,100
+// expect: c2 0,100 200,100
+// expect: c3 200,0 200,100
+// expect: c4 0,0 200,0
+// expect: c5 0,100 0,200
+// expect: c6 0,200 200,200
+// expect: c7 200,100 200,200
+// expect: c8 -100,100 0,100
+// expect: c9 200,100 300,100
+// expect: p [0]1 [1]2 [2]3 [3]4 [4]5 [5]6 [6]7 [7]8
+// expect: [delete 0]
+// expect: f1 [0]10 [1]12 [2]13 [3]11
+// expect: c9 50,100 150,100
+// expect: c10 0,0 200,0
+// expect: c11 0,0 0,200
+// expect: c12 200,0 200,200
+// expect: c13 0,200 200,200
+// expect: p [0]9 [1]10 [2]11 [3]12 [4]13 [5]14
+// expect: [delete 0]
+// expect: f5 [0]1 [1]4 [2]3 [3]2
+// expect: c1 100,100 200,100
+// expect: c2 100,100 100,200
+// expect: c3 100,200 200,200
+// expect: c4 200,100 200,200
+// expect: p [0]1 [1]2 [2]3 [3]4
+// expect: [delete 0]
+// expect: f1 [0]1 [1]2 [2]3 [3]4 [4]5 [5]6 [6]7 [7]8
+// expect: c1 0,0 0,200
+// expect: c2 0,0 200,0
+// expect: c3 200,0 200,100
+// expect: c4 200,100 300,100
+// expect: c5 300,100 300,300
+// expect: c6 100,300 300,300
+// expect: c7 100,200 100,300
+// expect: c8 0,200 100,200
+// expect: p [0]1 [1]2 [2]3 [3]4 [4]5 [5]6 [6]7 [7]8
+// expect: [delete 0]
+// expect: f7 [0]5
+// expect: c5 70,70 130,130
+// expect: p [0]5
+// expect: [delete 0]
+// expect: f1 [0]1 [1]4 [2]3 [3]2
+// expect: f2 [0]3 [1]7 [2]6 [3]5 [4]17
+// expect: f3 [0]6 [1]8 [2]9 [3]10
+// expect: f4 [0]11 [1]13 [2]12 [3]7
+// expect: f5 [0]14 [1]5 [2]16 [3]15
+// expect: c1 0,0 0,100
+// expect: c2 0,100 100,100
+// expect: c3 100,0 100,100
+// expect: c4 0,0 100,0
+// expect: c5 100,100 200,100
+// expect: c6 200,0 200,100
+// expect: c7 100,0 200,0
+// expect: c8 200,100 300,100
+// expect: c9 300,0 300,100
+// expect: c10 200,0 300,0
+// expect: c11 100,-100 100,0
+// expect: c12 200,-100 200,0
+// expect: c13 100,-100 200,-100
+// expect: c14 100,100 100,200
+// expect: c15 100,200 200,200
+// expect: c16 200,100 200,200
+// expect: c17 120,20 180,80
+// expect: p [0]1 [1]2 [2]3 [3]4 [4]5 [5]6 [6]7 [7]8 [8]9 [9]10 [10]11 [11]12 [12]13
+// expect: [delete 0]
