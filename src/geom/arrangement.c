@@ -478,6 +478,24 @@ static uint32_t find(uint32_t *parent, uint32_t i)
   return i;
 }
 
+static Box cycle_box(const Builder *b, uint32_t cycle)
+{
+  const Arrangement *a = b->a;
+  Box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+  uint32_t h = a->first.data[cycle];
+  do {
+    Box x = box_of(&b->curve[a->edge.data[h / 2].curve], b->tol);
+    for (int k = 0; k < 2; k++) {
+      box.lo[k] = fmin(box.lo[k], x.lo[k]);
+      box.hi[k] = fmax(box.hi[k], x.hi[k]);
+    }
+    h = a->next.data[h];
+  } while (h != a->first.data[cycle]);
+  return box;
+}
+
+static bool outside(const Box *box, Vec2 p) { return p.x < box->lo[0] || p.x > box->hi[0] || p.y < box->lo[1] || p.y > box->hi[1]; }
+
 // Cycles that go round nothing belong to the smallest face around their component.
 static void nest(Builder *b)
 {
@@ -490,16 +508,20 @@ static void nest(Builder *b)
   double whole = 0;
   for (size_t k = 0; k < a->first.len; k++) whole = fmax(whole, fabs(a->area.data[k]));
   for (size_t k = 0; k < a->first.len; k++) a->face.data[k] = a->area.data[k] > 1e-14 * whole ? a->nface++ : 0;
+  Box *box = mem_alloc((a->first.len + 1) * sizeof *box);
+  for (uint32_t k = 0; k < a->first.len; k++) box[k] = cycle_box(b, k);
   for (uint32_t k = 0; k < a->first.len; k++) {
     if (a->face.data[k]) continue;
     uint32_t v = a->edge.data[a->first.data[k] / 2].from, best = NONE;
     for (uint32_t o = 0; o < a->first.len; o++) {
       if (!(a->area.data[o] > 1e-14 * whole) || (best != NONE && a->area.data[o] >= a->area.data[best])) continue;
+      if (outside(&box[o], a->node.data[v])) continue;
       if (find(parent, a->edge.data[a->first.data[o] / 2].from) == find(parent, v)) continue;
       if (winding(b, o, a->node.data[v]) > 0.5) best = o;
     }
     if (best != NONE) a->face.data[k] = a->face.data[best];
   }
+  free(box);
   free(parent);
 }
 

@@ -10,7 +10,8 @@ static uint64_t key_of(const Run *r, bool turned)
   return hash__mix(h, r->edge);
 }
 
-// ---- making -----------------------------------------------------------------------------------------------------------------
+// ---- making
+// -----------------------------------------------------------------------------------------------------------------
 
 static int point_of(BooleanApply *a, uint32_t node)
 {
@@ -32,7 +33,8 @@ static int new_curve(BooleanApply *a, const Run *r)
   if (k->kind == ARR_CHAIN) {
     Curve *old = &a->stash[r->curve].curve;
     for (int i = 0; i < old->npoint; i++)
-      if (old->point[i] == old->begin || old->point[i] == old->end) old->point[i] = pair[old->point[i] != old->begin];
+      if (old->point[i] == old->begin || old->point[i] == old->end)
+        old->point[i] = pair[old->point[i] != old->begin];
     Curve *c = curve__make(m, tag, old->type, old->point, old->npoint, pair[0], pair[1], b->loc);
     c->knot = old->knot;
     c->nknot = old->nknot;
@@ -90,7 +92,8 @@ static uint32_t wire_of(const Listing *l, const Outline *o)
   return NONE;
 }
 
-// The loop of an outline, from the edge on that comes first in its wire, which is noted for the next operation on this face.
+// The loop of an outline, from the edge on that comes first in its wire, which is noted for the next
+// operation on this face.
 static int new_loop(BooleanApply *a, const Listing *l, const Outline *o, uint32_t wire)
 {
   Model *m = a->b->m;
@@ -119,7 +122,8 @@ static int new_face(BooleanApply *a, const Listing *l, int tag)
   for (size_t w = 0; w < l->wire.len; w++) // the last turn: what is no wire
     for (size_t k = l->outline; k < b->outline.len && b->outline.data[k].piece == piece; k++) {
       uint32_t own = wire_of(l, &b->outline.data[k]);
-      if (own == (w + 1 < l->wire.len ? (uint32_t)w : NONE)) vec_push(&loop, new_loop(a, l, &b->outline.data[k], own));
+      if (own == (w + 1 < l->wire.len ? (uint32_t)w : NONE))
+        vec_push(&loop, new_loop(a, l, &b->outline.data[k], own));
     }
   face__make(b->m, tag, FACE_PLANE, loop.data, (int)loop.len, b->loc);
   vec_free(&loop);
@@ -137,7 +141,8 @@ static void embed_inner(BooleanApply *a, uint32_t piece, int face)
   }
 }
 
-// ---- removing ---------------------------------------------------------------------------------------------------------------
+// ---- removing
+// ---------------------------------------------------------------------------------------------------------------
 
 static void note_reused(BooleanApply *a)
 {
@@ -147,7 +152,8 @@ static void note_reused(BooleanApply *a)
       const Run *r = &b->outline.data[k].run.data[i];
       if (r->whole) map_set(&a->reused, (uint64_t)b->source.data[r->curve], 1);
     }
-  for (uint32_t e = 0; e < b->a.edge.len && b->op == BOOLEAN_FRAGMENTS; e++) { // cutting curves live on by themselves
+  for (uint32_t e = 0; e < b->a.edge.len && b->op == BOOLEAN_FRAGMENTS;
+       e++) { // cutting curves live on by themselves
     const ArrEdge *g = &b->a.edge.data[e];
     if (g->u0 == 0 && g->u1 == 1) map_set(&a->reused, (uint64_t)b->source.data[g->curve], 1);
   }
@@ -168,7 +174,8 @@ static void stash_curve(BooleanApply *a, size_t source, ShapeVec *gone)
   Model *m = a->b->m;
   int tag = a->b->source.data[source];
   const Curve *c = model_curve(m, tag);
-  if (c->uses || a->keep_curve[source] || (c->in_loops && a->b->curve[source].kind == ARR_CHAIN && c->pieces)) return;
+  if (c->uses || a->keep_curve[source] || (c->in_loops && a->b->curve[source].kind == ARR_CHAIN && c->pieces))
+    return;
   a->stash[source] = (Stash){*c, true};
   a->stash[source].curve.shape = NULL;
   a->stash[source].curve.point = arena_dup(&m->arena, c->point, (size_t)c->npoint * sizeof *c->point);
@@ -189,7 +196,8 @@ static void release_stash(BooleanApply *a)
   }
 }
 
-// The faces that go, their curves that nothing uses, and what of their points neither. Nodes of the result stay.
+// The faces that go, their curves that nothing uses, and what of their points neither. Nodes of the result
+// stay.
 static void remove_inputs(BooleanApply *a)
 {
   Boolean *b = a->b;
@@ -200,7 +208,8 @@ static void remove_inputs(BooleanApply *a)
   for (size_t k = 0; k < b->listing.len; k++)
     if (a->kept[k]) stays[a->same[k]] = true;
   for (size_t i = 0; i < b->input.len; i++)
-    if (b->input.data[i].drop && !stays[i] && !b->input.data[i].face->uses) face__drop(m, b->input.data[i].tag);
+    if (b->input.data[i].drop && !stays[i] && !b->input.data[i].face->uses)
+      face__drop(m, b->input.data[i].tag);
   free(stays);
   ShapeVec gone = {0};
   for (size_t i = 0; i < b->source.len; i++) {
@@ -251,7 +260,8 @@ static void remove_idle_points(BooleanApply *a)
   model__recount(a->b->m, KIND_POINT);
 }
 
-// ---- all ----------------------------------------------------------------------------------------------------------------------
+// ---- all
+// ----------------------------------------------------------------------------------------------------------------------
 
 static void output_cutters(BooleanApply *a, ShapeVec *out)
 {
@@ -260,7 +270,8 @@ static void output_cutters(BooleanApply *a, ShapeVec *out)
     for (uint32_t e = 0; e < b->a.edge.len; e++) {
       const ArrEdge *g = &b->a.edge.data[e];
       bool mine = b->source.data[g->curve] == b->cutter.data[k].tag;
-      for (size_t i = 0; i < g->also.len && !mine; i++) mine = b->source.data[g->also.data[i]] == b->cutter.data[k].tag;
+      for (size_t i = 0; i < g->also.len && !mine; i++)
+        mine = b->source.data[g->also.data[i]] == b->cutter.data[k].tag;
       if (!mine) continue;
       Run r = boolean__inner_run(b, e);
       vec_push(out, ((Shape){1, tag__abs(curve_of(a, &r))}));
@@ -294,7 +305,8 @@ static void choose_tags(const BooleanApply *a, int asked, int *tag)
   int next = model__next_tag(b->m, KIND_FACE);
   if (asked >= next) next = asked + 1;
   for (size_t k = 0; k < b->listing.len; k++) {
-    if (!tag[k] && a->owner[k] != NONE && !model_face(b->m, b->input.data[a->owner[k]].tag)) tag[k] = b->input.data[a->owner[k]].tag;
+    if (!tag[k] && a->owner[k] != NONE && !model_face(b->m, b->input.data[a->owner[k]].tag))
+      tag[k] = b->input.data[a->owner[k]].tag;
     if (!tag[k] && k == 0 && asked >= 0) tag[k] = asked;
     if (tag[k] >= next) next = tag[k] + 1;
   }
@@ -310,7 +322,8 @@ static bool tag_is_free(const Boolean *b, int tag)
   return false;
 }
 
-// The listed faces that are inputs unchanged which stay; the others are made: first what has a new number, then what has an old one.
+// The listed faces that are inputs unchanged which stay; the others are made: first what has a new number,
+// then what has an old one.
 static void make_faces(BooleanApply *a, const Face *old, int asked, ShapeVec *out)
 {
   const bool *kept = a->kept;
@@ -357,13 +370,13 @@ bool boolean__apply(Boolean *b, int tag, ShapeVec *out)
   if (!tag_is_free(b, tag)) return tag__claim(b->m, KIND_FACE, tag, b->loc, b->diag) >= 0;
   size_t nnode = b->a.node.len + 1, nsource = b->source.len + 1;
   BooleanApply a = {.b = b,
-             .point = mem_zalloc(nnode * sizeof(int)),
-             .lc = mem_zalloc(nnode * sizeof(double)),
-             .keep_curve = mem_zalloc(nsource * sizeof(bool)),
-             .same = mem_alloc((b->listing.len + 1) * sizeof(size_t)),
-             .kept = mem_zalloc((b->listing.len + 1) * sizeof(bool)),
-             .owner = mem_alloc((b->listing.len + 1) * sizeof(uint32_t)),
-             .stash = mem_zalloc(nsource * sizeof(Stash))};
+                    .point = mem_zalloc(nnode * sizeof(int)),
+                    .lc = mem_zalloc(nnode * sizeof(double)),
+                    .keep_curve = mem_zalloc(nsource * sizeof(bool)),
+                    .same = mem_alloc((b->listing.len + 1) * sizeof(size_t)),
+                    .kept = mem_zalloc((b->listing.len + 1) * sizeof(bool)),
+                    .owner = mem_alloc((b->listing.len + 1) * sizeof(uint32_t)),
+                    .stash = mem_zalloc(nsource * sizeof(Stash))};
   Face *old = mem_zalloc((b->input.len + 1) * sizeof *old); // the plane of the first outlives it
   for (size_t i = 0; i < b->input.len; i++) old[i] = *b->input.data[i].face;
   boolean__plan(&a, tag >= 0);
