@@ -8,7 +8,9 @@
 #include "quad/quad_patch.h"
 
 // An operation may make valences worse by so much, if shapes and lengths gain.
-enum { WORSE = 2, MAX_RING = 12 };
+enum { WORSE = 2, MAX_RING = 12, PASSES = 2, AGAIN = 20 };
+// Square of a way, over that of the diagonal of an element there, that makes another look worth while.
+#define FAR2 5e-3
 
 typedef struct {
   QuadEdit d;
@@ -115,14 +117,17 @@ static bool turn_edge(Clean *c, uint32_t e, uint32_t f, uint32_t a, uint32_t b, 
       if (h[i] == h[j]) return false;
   uint32_t end[4] = {h[0], h[3], h[first], h[first + 3]};
   int gain = gain_of(d, end, (const int[4]){-1, -1, 1, 1}, 4);
-  QuadPatch p;
-  if (gain < -WORSE || quad__joined(d, end[2], end[3]) || !quad__patch_begin(d, &p, h, 6)) return false;
-  p.gain = gain;
-  uint32_t *q = quad__patch_element(&p, e), *r = quad__patch_element(&p, f);
+  if (gain < -WORSE || quad__joined(d, end[2], end[3])) return false;
+  uint32_t was[8], is[8];
   for (uint32_t i = 0; i < 4; i++) {
-    q[i] = h[(first + i) % 6];
-    r[i] = h[(first + 3 + i) % 6];
+    was[i] = x[i], was[4 + i] = y[i];
+    is[i] = h[(first + i) % 6], is[4 + i] = h[(first + 3 + i) % 6];
   }
+  QuadPatch p;
+  if (quad__is_hopeless(d, was, is, 2, gain) || !quad__patch_begin(d, &p, h, 6)) return false;
+  p.gain = gain;
+  memcpy(quad__patch_element(&p, e), is, 4 * sizeof *is);
+  memcpy(quad__patch_element(&p, f), is + 4, 4 * sizeof *is);
   bool kept = quad__patch_end(d, &p);
   c->report->flips += kept;
   return kept;
@@ -229,31 +234,97 @@ static bool improve_at(Clean *c, uint32_t v)
   return remove_doublet(c, v) || close_quads_at(c, v) || turn_edges_at(c, v) || open_edges_at(c, v);
 }
 
-static void enqueue_irregular(QuadEdit *d)
+// ---- rounds
+
+// Vertices that may find better places, and those that have gone far since they were last looked at.
+typedef struct {
+  uint8_t *awake, *moved;
+  size_t room;
+} Relax;
+
+static void make_room(Relax *x, size_t nv)
+{
+  if (nv <= x->room) return;
+  x->awake = mem_realloc(x->awake, 2 * nv);
+  x->moved = mem_realloc(x->moved, 2 * nv);
+  memset(x->awake + x->room, 1, 2 * nv - x->room);
+  memset(x->moved + x->room, 1, 2 * nv - x->room);
+  x->room = 2 * nv;
+}
+
+static void wake_star(Relax *x, const uint32_t *star, size_t n)
+{
+  for (size_t i = 0; i < 4 * n; i++)
+    if (star[i] != NONE) x->awake[star[i]] = 1;
+}
+
+static void relax(QuadEdit *d, Relax *x, int passes)
+{
+  QuadMesh *m = d->m;
+  uint32_t star[4 * PATCH_ELEMENTS];
+  for (int pass = 0; pass < passes; pass++)
+    for (uint32_t v = 0; v < m->xy.len; v++) {
+      size_t n = quad__count(d, v);
+      if (!x->awake[v] || m->fixed.data[v] || n > PATCH_ELEMENTS) continue;
+      x->awake[v] = 0;
+      for (size_t i = 0; i < n; i++) memcpy(&star[4 * i], &m->vertex.data[4 * (size_t)quad__around(d, v)[i]], 4 * sizeof *star);
+      Vec2 old = m->xy.data[v];
+      if (!n || !quad__improve(m->xy.data, m->size.len ? m->size.data : NULL, v, star, n, 1, d->floor)) continue;
+      wake_star(x, star, n);
+      Vec2 way = vec2_sub(m->xy.data[v], old), edge = vec2_sub(m->xy.data[star[0]], m->xy.data[star[2]]);
+      if (vec2_dot(way, way) > FAR2 * vec2_dot(edge, edge)) x->moved[v] = 1;
+    }
+}
+
+// Vertices of the wrong valence, and corners of bad elements, where something near has moved.
+static void enqueue_irregular(QuadEdit *d, Relax *x)
 {
   const QuadMesh *m = d->m;
-  for (uint32_t v = 0; v < m->xy.len; v++)
-    if (d->count.data[v] && d->count.data[v] != d->ideal.data[v]) quad__enqueue(d, v);
+  for (uint32_t v = 0; v < m->xy.len; v++) {
+    bool near = x->moved[v];
+    for (uint32_t i = 0; i < quad__count(d, v) && !near; i++)
+      for (int k = 0; k < 4; k++) {
+        uint32_t w = m->vertex.data[4 * (size_t)quad__around(d, v)[i] + (size_t)k];
+        near |= w != NONE && x->moved[w];
+      }
+    if (near && quad__count(d, v) && quad__count(d, v) != d->ideal.data[v]) quad__enqueue(d, v);
+  }
+  memset(x->moved, 0, x->room);
+}
+
+// Work off the queue; operations enqueue what is around them. Returns how many were done.
+static size_t run(Clean *c, Relax *x)
+{
+  QuadEdit *d = &c->d;
+  size_t done = 0, most = AGAIN * d->m->xy.len;
+  for (size_t i = 0; i < d->queue.len && i < most; i++) {
+    uint32_t v = d->queue.data[i];
+    d->queued.data[v] = 0;
+    make_room(x, d->m->xy.len);
+    x->awake[v] = 1;
+    if (!quad__count(d, v) || quad__count(d, v) == d->ideal.data[v] || !improve_at(c, v)) continue;
+    done++;
+    quad__enqueue(d, v);
+  }
+  while (d->queue.len) d->queued.data[vec_pop(&d->queue)] = 0;
+  return done;
 }
 
 void quad_clean(QuadMesh *m, int rounds, QuadReport *report)
 {
   size_t before = m->xy.len;
+  Clean c = {.report = report};
+  Relax x = {0};
+  quad__edit_begin(&c.d, m);
+  make_room(&x, m->xy.len);
   for (int r = 0; r < rounds; r++) {
-    size_t done = 0;
-    Clean c = {.report = report};
-    quad__edit_begin(&c.d, m);
-    enqueue_irregular(&c.d);
-    size_t most = 20 * m->xy.len;
-    for (size_t i = 0; i < c.d.queue.len && i < most; i++) {
-      uint32_t v = c.d.queue.data[i];
-      c.d.queued.data[v] = 0;
-      if (c.d.count.data[v] == 0 || c.d.count.data[v] == c.d.ideal.data[v]) continue;
-      if (improve_at(&c, v)) done++, quad__enqueue(&c.d, v);
-    }
-    quad__edit_end(&c.d);
-    quad_smooth(m, 2);
-    if (!done) break;
+    enqueue_irregular(&c.d, &x);
+    if (!run(&c, &x)) break;
+    make_room(&x, m->xy.len);
+    relax(&c.d, &x, PASSES);
   }
+  free(x.awake);
+  free(x.moved);
+  quad__edit_end(&c.d);
   report->removed += before > m->xy.len ? before - m->xy.len : 0;
 }

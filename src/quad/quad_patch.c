@@ -207,7 +207,7 @@ bool quad__patch_has_room(const QuadEdit *d, const QuadPatch *p)
 }
 
 // Once over the core. True if any vertex moved.
-static bool find_places(QuadEdit *d, const QuadPatch *p)
+static bool find_places(QuadEdit *d, const QuadPatch *p, int steps)
 {
   QuadMesh *m = d->m;
   uint32_t corner[4 * PATCH_ELEMENTS];
@@ -215,7 +215,7 @@ static bool find_places(QuadEdit *d, const QuadPatch *p)
   for (size_t i = 0; i < p->ncore; i++) {
     if (m->fixed.data[p->core[i]]) continue;
     size_t n = patch_star(p, p->core[i], corner);
-    if (n) moved |= quad__improve(m->xy.data, sizes(m), p->core[i], corner, n, 2, d->floor);
+    if (n) moved |= quad__improve(m->xy.data, sizes(m), p->core[i], corner, n, steps, d->floor);
   }
   return moved;
 }
@@ -260,6 +260,13 @@ static QuadScore patch_score(const QuadPatch *p, const QuadMesh *m)
   return s;
 }
 
+bool quad__is_hopeless(const QuadEdit *d, const uint32_t *was, const uint32_t *is, size_t n, int gain)
+{
+  QuadScore a = quad__score(d->m->xy.data, sizes(d->m), was, n);
+  if (a.worst > BAD) return false;
+  return quad__score(d->m->xy.data, sizes(d->m), is, n).energy > a.energy + VALENCE * gain + HOPELESS;
+}
+
 bool quad__patch_end(QuadEdit *d, QuadPatch *p)
 {
   Vec2 *xy = d->m->xy.data;
@@ -267,14 +274,15 @@ bool quad__patch_end(QuadEdit *d, QuadPatch *p)
   for (size_t i = 0; i < p->n; i++)
     limit -= ELEMENT * ((d->m->vertex.data[4 * (size_t)p->element[i]] != NONE) - (p->corner[4 * i] != NONE));
   const bool bad = p->before.worst > BAD;
-  bool keep = false, moved = quad__patch_has_room(d, p);
+  bool keep = false, moved = true;
   for (int sweep = 0; sweep <= SWEEPS && moved && !keep; sweep++) {
     QuadScore now = patch_score(p, d->m);
     bool better = now.worst <= fmax(p->before.worst, d->floor) && now.energy < limit - GAIN;
     keep = (better || (bad && now.worst < p->before.worst - GAIN)) && patch_valid(p, xy);
     if (!bad && now.energy > limit + (sweep ? DOUBTFUL : HOPELESS)) break;
-    moved = !keep && sweep < SWEEPS && find_places(d, p);
+    moved = !keep && sweep < SWEEPS && find_places(d, p, sweep ? 2 : 1);
   }
+  keep = keep && quad__patch_has_room(d, p);
   if (keep) quad__patch_commit(d, p);
   else
     for (size_t i = 0; i < p->ncore; i++) xy[p->core[i]] = p->old[i];

@@ -56,6 +56,8 @@ bool quad__patch_begin(const QuadEdit *d, QuadPatch *p, const uint32_t *core, si
 // Where the corners of element e of the patch are written.
 uint32_t *quad__patch_element(QuadPatch *p, uint32_t e);
 void quad__patch_replace(QuadPatch *p, uint32_t from, uint32_t to);
+// Would quad__patch_end give up at once, as n elements was[4n] become is[4n] and no others change?
+bool quad__is_hopeless(const QuadEdit *d, const uint32_t *was, const uint32_t *is, size_t n, int gain);
 // Has every vertex room for the elements it is to have?
 bool quad__patch_has_room(const QuadEdit *d, const QuadPatch *p);
 // Make the elements what they are to be, and enqueue all vertices of them, whatever that is worth.

@@ -4,22 +4,29 @@
 #include "quad/quad_int.h"
 #include "quad/quad_mesh.h"
 
-// What an edge of a wrong length costs beside an element of a wrong shape, where a vertex is moved and where sets of elements are compared.
-// Larger weights lose angles, smaller ones sizes.
-static const double MOVE_WEIGHT = 0.15, LENGTH_WEIGHT = 0.2, LEAST_GAIN = 1e-6;
+// What an edge of a wrong length costs beside an element of a wrong shape: more loses angles, less sizes.
+static const double LENGTH_WEIGHT = 0.2, LEAST_GAIN = 2e-5;
 enum { QUICK_STEPS = 2, UNTANGLE_STEPS = 4, MAX_WINGS = 64 };
 
-// An element about the vertex: its corners after (b), before (a) and, of a quad, opposite (c).
+// A neighbour of the vertex.
 typedef struct {
-  Vec2 a, b, c;
-  double ha, hb;  // wanted size at a and b; 0: not known
+  Vec2 at;
+  double h;       // wanted size there; 0: not known
+  double times;   // in how many elements: edges count half with each
+} Spoke;
+
+// An element about the vertex, between the spokes b (first, counterclockwise) and a, with the opposite corner c of a quad.
+typedef struct {
+  uint32_t a, b;
+  Vec2 bc, ac;    // from the spokes to c, or to each other in a triangle; of length 1
   double skew_c;  // of the corner c, which stays as it is
   bool triangle;
 } Wing;
 
 typedef struct {
+  Spoke spoke[2 * MAX_WINGS];
   Wing wing[MAX_WINGS];
-  size_t n;
+  size_t n, nspoke;
   Vec2 at;                    // where the vertex is
   const QuadSize *size;       // NULL: not known
   double weight;
@@ -34,14 +41,11 @@ static inline double length_energy(double l2, double h2)
   return 0.25 * (l2 / h2 + h2 / l2 - 2);
 }
 
-static inline double wing_skew(const Wing *w, Vec2 p)
+// Skew of a corner whose sides have the length 1 already.
+static inline double unit_skew(Vec2 u, Vec2 w)
 {
-  if (w->triangle) return quad__triangle_skew(p, w->b, w->a);
-  Vec2 pa = vec2_sub(w->a, p), pb = vec2_sub(w->b, p), ba = vec2_sub(w->c, w->b), ca = vec2_sub(w->c, w->a);
-  double s = quad__corner_skew(pb, pa), t = quad__corner_skew(ba, vec2_scale(-1, pb)), u = quad__corner_skew(vec2_scale(-1, pa), ca);
-  s = s > t ? s : t;
-  s = s > u ? s : u;
-  return s > w->skew_c ? s : w->skew_c;
+  double dot = vec2_dot(u, w), c2 = dot * dot;
+  return vec2_cross(u, w) > 0 ? c2 : 2 - c2;
 }
 
 QuadScore quad__score(const Vec2 *xy, const QuadSize *size, const uint32_t *corner, size_t n)
@@ -62,23 +66,48 @@ QuadScore quad__score(const Vec2 *xy, const QuadSize *size, const uint32_t *corn
   return s;
 }
 
+// Directions from p to the ends of the spokes, and their lengths. False if p is at one of them.
+static bool spokes_from(const Star *s, Vec2 p, Vec2 *dir, double *length)
+{
+  for (size_t i = 0; i < s->nspoke; i++) {
+    Vec2 d = vec2_sub(s->spoke[i].at, p);
+    length[i] = sqrt(vec2_dot(d, d));
+    if (!(length[i] > 0)) return false;
+    dir[i] = vec2_scale(1 / length[i], d);
+  }
+  return true;
+}
+
 // Score with the vertex at p; false as soon as it is known to be no better than s->best (unless `full`).
 static bool star_score(const Star *s, Vec2 p, double floor, bool full, QuadScore *score)
 {
   QuadScore now = {0, 0};
-  double h = s->size ? quad__size_at(s->size, p) : 0;
+  Vec2 dir[2 * MAX_WINGS];
+  double length[2 * MAX_WINGS];
+  if (!spokes_from(s, p, dir, length)) {
+    *score = (QuadScore){3, INFINITY};
+    return full;
+  }
   for (size_t i = 0; i < s->n; i++) {
     const Wing *w = &s->wing[i];
-    double skew = wing_skew(w, p);
+    double skew = w->skew_c;
+    if (w->triangle) {
+      skew = quad__triangle_skew(p, s->spoke[w->b].at, s->spoke[w->a].at);
+    } else {
+      double t = unit_skew(dir[w->b], dir[w->a]), u = unit_skew(w->bc, vec2_scale(-1, dir[w->b]));
+      double v = unit_skew(vec2_scale(-1, dir[w->a]), w->ac);
+      t = t > u ? t : u;
+      t = t > v ? t : v;
+      skew = skew > t ? skew : t;
+    }
     now.worst = skew > now.worst ? skew : now.worst;
     now.energy += quad__skew_energy(skew);
-    if (s->size) {
-      double ga = 0.5 * (h + w->ha), gb = 0.5 * (h + w->hb);
-      Vec2 pa = vec2_sub(w->a, p), pb = vec2_sub(w->b, p);
-      now.energy += s->weight * (length_energy(vec2_dot(pa, pa), ga * ga) + length_energy(vec2_dot(pb, pb), gb * gb));
-    }
-    if (full) continue;
-    if (s->best.worst > floor ? now.worst > s->best.worst : now.worst > floor || now.energy >= s->best.energy) return false;
+    if (!full && (s->best.worst > floor ? now.worst > s->best.worst : now.worst > floor || now.energy >= s->best.energy)) return false;
+  }
+  double h = s->size ? quad__size_at(s->size, p) : 0;
+  for (size_t i = 0; i < s->nspoke && s->size; i++) {
+    double g = 0.5 * (h + s->spoke[i].h);
+    now.energy += s->weight * s->spoke[i].times * length_energy(length[i] * length[i], g * g);
   }
   *score = now;
   return true;
@@ -100,28 +129,44 @@ static bool star_try(Star *s, Vec2 p, double floor)
   return true;
 }
 
+static uint32_t spoke_to(Star *s, const Vec2 *xy, const QuadSize *size, uint32_t v, uint32_t *known)
+{
+  uint32_t i = 0;
+  while (i < s->nspoke && known[i] != v) i++;
+  if (i == s->nspoke) {
+    known[s->nspoke++] = v;
+    s->spoke[i] = (Spoke){xy[v], s->size ? quad__size_at(&size[v], xy[v]) : 0, 0};
+  }
+  s->spoke[i].times++;
+  return i;
+}
+
+static Vec2 direction(Vec2 from, Vec2 to)
+{
+  Vec2 d = vec2_sub(to, from);
+  double l = vec2_length(d);
+  return l > 0 ? vec2_scale(1 / l, d) : d;
+}
+
 static bool star_init(Star *s, const Vec2 *xy, const QuadSize *size, uint32_t v, const uint32_t *corner, size_t n)
 {
   if (n > MAX_WINGS) return false;
-  s->n = 0;
+  uint32_t known[2 * MAX_WINGS];
+  s->n = s->nspoke = 0;
   s->at = xy[v];
   s->size = size && size[v].h > 0 ? &size[v] : NULL;
-  s->weight = 0.5 * MOVE_WEIGHT;
+  s->weight = 0.5 * LENGTH_WEIGHT;
   for (size_t i = 0; i < n; i++) {
-    const uint32_t *c = corner + 4 * i;
-    uint32_t k = c[3] == NONE ? 3 : 4;
-    for (uint32_t j = 0; j < k; j++) {
-      if (c[j] != v) continue;
-      uint32_t b = c[(j + 1) % k], a = c[(j + k - 1) % k];
-      Wing *w = &s->wing[s->n++];
-      *w = (Wing){.a = xy[a], .b = xy[b], .triangle = k == 3};
-      if (k == 4) {
-        w->c = xy[c[(j + 2) % 4]];
-        w->skew_c = quad__corner_skew(vec2_sub(w->a, w->c), vec2_sub(w->b, w->c));
-      }
-      if (s->size) w->ha = quad__size_at(&size[a], w->a), w->hb = quad__size_at(&size[b], w->b);
-      break;
-    }
+    const uint32_t *q = corner + 4 * i;
+    uint32_t k = q[3] == NONE ? 3 : 4, j = 0;
+    while (j < k && q[j] != v) j++;
+    if (j == k) continue;
+    uint32_t b = q[(j + 1) % k], a = q[(j + k - 1) % k], c = q[(j + 2) % k];
+    Wing *w = &s->wing[s->n++];
+    *w = (Wing){.a = spoke_to(s, xy, size, a, known), .b = spoke_to(s, xy, size, b, known), .triangle = k == 3};
+    w->bc = direction(xy[b], xy[c]);
+    w->ac = direction(xy[a], k == 3 ? xy[b] : xy[c]);
+    w->skew_c = k == 4 ? quad__corner_skew(vec2_sub(xy[a], xy[c]), vec2_sub(xy[b], xy[c])) : 0;
   }
   return s->n > 0;
 }
@@ -139,40 +184,35 @@ static inline void add_residual(Normal *q, double weight, double r, Vec2 g)
   q->x += weight * r * g.x, q->y += weight * r * g.y;
 }
 
-// The cosine of the corner at b between p and c, less `wanted`, where p moves.
-static inline void add_side_corner(Normal *q, Vec2 p, Vec2 b, Vec2 c, double wanted)
+// The cosine of the corner between the direction `to` p, at distance l, and the fixed direction f, less `wanted`, where p moves.
+static inline void add_side_corner(Normal *q, Vec2 to, double l, Vec2 f, double wanted)
 {
-  Vec2 e = vec2_sub(p, b), f = vec2_sub(c, b);
-  double e2 = vec2_dot(e, e), l = sqrt(e2 * vec2_dot(f, f)), cosine = vec2_dot(e, f) / l;
-  add_residual(q, 1, cosine - wanted, vec2_sub(vec2_scale(1 / l, f), vec2_scale(cosine / e2, e)));
-}
-
-static inline void add_length(Normal *q, const Star *s, Vec2 p, Vec2 a, double ha, double h)
-{
-  Vec2 e = vec2_sub(p, a);
-  double l = vec2_length(e), g = 0.5 * (ha + h), r = l / g;
-  add_residual(q, s->weight, 0.5 * (r - 1 / r), vec2_scale(0.5 * (1 + 1 / (r * r)), vec2_sub(vec2_scale(1 / (l * g), e), vec2_scale(0.5 * r / g, s->size->slope))));
+  double cosine = vec2_dot(to, f);
+  add_residual(q, 1, cosine - wanted, vec2_scale(1 / l, vec2_sub(f, vec2_scale(cosine, to))));
 }
 
 // One step of Gauss and Newton for the cosines of all corners and the lengths of the edges at the vertex.
 static bool newton_step(const Star *s, Vec2 *step)
 {
   Normal q = {0};
-  Vec2 p = s->at;
-  double h = s->size ? quad__size_at(s->size, p) : 0;
+  Vec2 dir[2 * MAX_WINGS];
+  double length[2 * MAX_WINGS];
+  if (!spokes_from(s, s->at, dir, length)) return false;
   for (size_t i = 0; i < s->n; i++) {
     const Wing *w = &s->wing[i];
-    double wanted = w->triangle ? 0.5 : 0;
-    Vec2 e = vec2_sub(w->b, p), f = vec2_sub(w->a, p);
-    double e2 = vec2_dot(e, e), f2 = vec2_dot(f, f), l = sqrt(e2 * f2), cosine = vec2_dot(e, f) / l;
-    Vec2 along = vec2_add(vec2_scale(cosine / e2, e), vec2_scale(cosine / f2, f));
-    add_residual(&q, 1, cosine - wanted, vec2_sub(along, vec2_scale(1 / l, vec2_add(e, f))));
-    add_side_corner(&q, p, w->b, w->triangle ? w->a : w->c, wanted);
-    add_side_corner(&q, p, w->a, w->triangle ? w->b : w->c, wanted);
-    if (s->size) {
-      add_length(&q, s, p, w->a, w->ha, h);
-      add_length(&q, s, p, w->b, w->hb, h);
-    }
+    double wanted = w->triangle ? 0.5 : 0, la = length[w->a], lb = length[w->b];
+    Vec2 a = dir[w->a], b = dir[w->b];
+    double cosine = vec2_dot(a, b);
+    Vec2 g = vec2_add(vec2_scale(1 / lb, vec2_sub(vec2_scale(cosine, b), a)), vec2_scale(1 / la, vec2_sub(vec2_scale(cosine, a), b)));
+    add_residual(&q, 1, cosine - wanted, g);
+    add_side_corner(&q, vec2_scale(-1, b), lb, w->bc, wanted);
+    add_side_corner(&q, vec2_scale(-1, a), la, w->ac, wanted);
+  }
+  double h = s->size ? quad__size_at(s->size, s->at) : 0;
+  for (size_t i = 0; i < s->nspoke && s->size; i++) { // sinh of log(l/h)
+    double g = 0.5 * (h + s->spoke[i].h), r = length[i] / g;
+    Vec2 slope = vec2_add(vec2_scale(1 / g, dir[i]), vec2_scale(0.5 * r / g, s->size->slope));
+    add_residual(&q, s->weight * s->spoke[i].times, 0.5 * (r - 1 / r), vec2_scale(-0.5 * (1 + 1 / (r * r)), slope));
   }
   double d = q.xx * q.yy - q.xy * q.xy;
   if (!(d > 1e-12 * (q.xx + q.yy) * (q.xx + q.yy))) return false;
@@ -183,14 +223,14 @@ static bool newton_step(const Star *s, Vec2 *step)
 static Vec2 neighbour_mean(const Star *s)
 {
   Vec2 sum = {0, 0};
-  for (size_t i = 0; i < s->n; i++) sum = vec2_add(sum, vec2_add(s->wing[i].a, s->wing[i].b));
+  for (size_t i = 0; i < s->nspoke; i++) sum = vec2_add(sum, vec2_scale(s->spoke[i].times, s->spoke[i].at));
   return vec2_scale(0.5 / (double)s->n, sum);
 }
 
 static double reach(const Star *s)
 {
   double most = 0;
-  for (size_t i = 0; i < s->n; i++) most = fmax(most, vec2_length(vec2_sub(s->wing[i].a, s->at)));
+  for (size_t i = 0; i < s->nspoke; i++) most = fmax(most, vec2_length(vec2_sub(s->spoke[i].at, s->at)));
   return most;
 }
 
@@ -226,7 +266,8 @@ bool quad__improve(Vec2 *xy, const QuadSize *size, uint32_t v, const uint32_t *c
   bool moved = false;
   if (s.best.worst > floor) moved = star_try(&s, neighbour_mean(&s), floor);
   for (int k = 0; k < steps && descend(&s, floor); k++) moved = true;
-  if (s.best.worst > floor || steps > QUICK_STEPS) moved |= search(&s, steps, floor);
+  bool again = moved && steps == 1; // the next call goes on from here
+  if ((s.best.worst > floor && !again) || steps > QUICK_STEPS) moved |= search(&s, steps, floor);
   if (!moved) return false;
   Vec2 old = xy[v];
   xy[v] = s.at;
