@@ -2,6 +2,8 @@
 # quads.sh - recombination by every method: nothing but quadrangles, transfinite beside recombined beside triangles, periodic
 # curves, embedded curves that no quadrangle crosses
 . "$(dirname "$0")/lib.sh"
+# OpenMesh builds its half-edges of a file: manifold, with this Euler characteristic.
+halfedges=$ROOT/build/${CONFIG:-release}/unit/test_halfedge
 # From left to right: triangles, recombined with an embedded curve, transfinite quadrangles.
 cat >mixed.geo <<'G'
 h = 0.1;
@@ -22,6 +24,7 @@ for method in 0 1 2 3 4; do
   exits 0 "method $method: triangles, quadrangles and a transfinite face side by side" "$MESHGEN" -2 mixed.geo \
     -setnumber Mesh.RecombinationAlgorithm $method -format msh2 -o m.msh -require "quads>150" -require "min_eta>0.1"
   exits 0 "method $method: conforming, curves kept" "$MESHGEN" check m.msh
+  exits 0 "method $method: OpenMesh reads a manifold" "$halfedges" m.msh 1
 done
 # A fan whose boundary nodes lie on straight lines: pairs of its triangles are not convex quadrangles.
 cat >coarse.geo <<'G'
@@ -33,6 +36,7 @@ exits 0 "a quadrangle with a straight corner is replaced by five" "$MESHGEN" -2 
 for method in 1 2 3 4; do
   exits 0 "method $method leaves no triangle on the rectangle of the book" "$MESHGEN" -2 "$ROOT/geo/seed_rectangle.geo" \
     -setnumber Mesh.RecombineAll 1 -setnumber Mesh.RecombinationAlgorithm $method -o r.msh -require "triangles=0" -require "min_eta>0.45" -require "index_sum=1" -require "euler=1"
+  exits 0 "method $method: OpenMesh reads the rectangle as a manifold" "$halfedges" r.msh 1
 done
 exits 0 "Blossom: sizes and angles" "$MESHGEN" -2 "$ROOT/geo/seed_rectangle.geo" -setnumber Mesh.RecombineAll 1 \
   -o r.msh -require "tau>=0.88" -require "mean_eta>=0.82" -require "irregular<90"
@@ -59,6 +63,7 @@ for method in 2 3 4; do
   for scale in 1 1.3 1.6 2 2.5 3; do
     exits 0 "method $method, size factor $scale: no quadrangle is turned over by the nodes put back on small holes" "$MESHGEN" -2 holes.geo \
       -require "index_sum=-8" -require "euler=-8" -clscale $scale -setnumber Mesh.RecombineAll 1 -setnumber Mesh.RecombinationAlgorithm $method -o h.msh
+    exits 0 "method $method, size factor $scale: OpenMesh reads nine holes" "$halfedges" h.msh -8
   done
 done
 cat >spline.geo <<'G'
@@ -73,4 +78,33 @@ for method in 2 3 4; do
   exits 0 "method $method: a closed curve of four edges" "$MESHGEN" -2 spline.geo -setnumber Mesh.RecombineAll 1 \
     -setnumber Mesh.RecombinationAlgorithm $method -o h.msh -require "triangles=0"
 done
+# Faces that share curves, one of them closed and within another, side by side on periodic sides: all recombined, then one in triangles.
+cat >shared.geo <<'G'
+h = 0.13; Point(1) = {0, 0, 0, h}; Point(2) = {1, 0, 0, h}; Point(3) = {2, 0, 0, h}; Point(4) = {2, 1, 0, h};
+Point(5) = {1, 1, 0, h}; Point(6) = {0, 1, 0, h}; Point(7) = {0.5, 0.5, 0, h / 2}; Point(8) = {0.75, 0.5, 0, h / 2}; Point(9) = {0.25, 0.5, 0, h / 2};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 5}; Line(5) = {5, 6}; Line(6) = {6, 1}; Line(7) = {2, 5};
+Circle(8) = {8, 7, 9}; Circle(9) = {9, 7, 8};
+Curve Loop(1) = {1, 7, 5, 6}; Curve Loop(2) = {8, 9}; Curve Loop(3) = {2, 3, 4, -7};
+Plane Surface(1) = {1, 2}; Plane Surface(2) = {2}; Plane Surface(3) = {3};
+Periodic Curve{3} = {-6} Translate{2, 0, 0};
+Point(10) = {1.3, 0.3, 0, h}; Point(11) = {1.7, 0.6, 0, h}; Line(10) = {10, 11}; Curve{10} In Surface{3};
+Physical Surface("all") = {1:3}; Physical Curve("crack") = {10};
+G
+for algorithm in 6 8 9; do
+  for method in 0 1 2 3; do
+    options="-setnumber Mesh.Algorithm $algorithm -setnumber Mesh.RecombinationAlgorithm $method"
+    none=$([ $method = 0 ] || echo '-require triangles=0 -require index_sum=2 -require euler=2')
+    # shellcheck disable=SC2086
+    exits 0 "algorithm $algorithm, method $method: faces that share curves" "$MESHGEN" -2 shared.geo $options -setnumber Mesh.RecombineAll 1 -o s.msh $none
+    exits 0 "algorithm $algorithm, method $method: conforming, embedded and periodic curves kept" "$MESHGEN" check s.msh
+    exits 0 "algorithm $algorithm, method $method: OpenMesh reads a manifold" "$halfedges" s.msh 1
+  done
+done
+cat >some.geo <<'G'
+Include "shared.geo";
+Recombine Surface{2} = 20; Recombine Surface{3};
+G
+exits 0 "some faces recombined, one with an angle of its own" "$MESHGEN" -2 some.geo -o s.msh -require "quads>20" -require "triangles>20"
+exits 0 "they conform" "$MESHGEN" check s.msh
+exits 0 "OpenMesh reads them as one manifold" "$halfedges" s.msh 1
 echo "1..$count"

@@ -24,6 +24,8 @@ extern "C" {
 }
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <unistd.h>
 
 typedef OpenMesh::PolyMesh_ArrayKernelT<> HalfEdgeMesh;
@@ -206,10 +208,60 @@ void test_quads_are_manifold(void **)
   }
 }
 
+// A mesh file: its surface elements make a manifold, whose Euler characteristic is 2 for each component less 1 for each boundary loop,
+// and is `wanted`.
+int examine(const char *path, long wanted)
+{
+  Diag *d = diag_new(true);
+  ExitCode status;
+  Mesh *m = out_read(path, NULL, d, &status);
+  diag_free(d);
+  if (!m) return 2;
+  HalfEdgeMesh h;
+  for (size_t i = 0; i < m->nnode; i++) h.add_vertex(OpenMesh::Vec3f(0, 0, 0)); // only what is joined to what matters
+  bool manifold = true;
+  for (size_t b = 0; b < m->nblock; b++) {
+    const MeshBlock &k = m->block[b];
+    const size_t corners = static_cast<size_t>(elem_corners(k.type)), nodes = static_cast<size_t>(elem_nodes(k.type));
+    for (size_t i = 0; elem_dim(k.type) == 2 && i < k.n; i++) {
+      std::vector<OpenMesh::VertexHandle> v;
+      for (size_t a = 0; a < corners; a++) v.push_back(h.vertex_handle(k.node[i * nodes + a]));
+      manifold = manifold && h.add_face(v).is_valid();
+    }
+  }
+  mesh_free(m);
+  std::vector<bool> seen(h.n_vertices());
+  long vertices = 0, components = 0;
+  std::vector<OpenMesh::VertexHandle> stack;
+  for (auto v : h.vertices()) {
+    if (h.is_isolated(v)) continue;
+    vertices++;
+    manifold = manifold && h.is_manifold(v);
+    if (seen[static_cast<size_t>(v.idx())]) continue;
+    components++;
+    seen[static_cast<size_t>(v.idx())] = true;
+    stack.push_back(v);
+    while (!stack.empty()) {
+      auto at = stack.back();
+      stack.pop_back();
+      for (auto w : h.vv_range(at)) {
+        if (seen[static_cast<size_t>(w.idx())]) continue;
+        seen[static_cast<size_t>(w.idx())] = true;
+        stack.push_back(w);
+      }
+    }
+  }
+  long chi = vertices - static_cast<long>(h.n_edges()) + static_cast<long>(h.n_faces());
+  std::printf("%s: %s, chi %ld, %ld components, %zu loops\n", path, manifold ? "manifold" : "not manifold", chi, components, boundary_loops(h));
+  return manifold && chi == wanted && chi == 2 * components - static_cast<long>(boundary_loops(h)) ? 0 : 1;
+}
+
 } // namespace
 
-int main()
+// Without arguments the tests; with FILE CHI a look at a file, for scripts.
+int main(int argc, char **argv)
 {
+  if (argc == 3) return examine(argv[1], std::strtol(argv[2], NULL, 10));
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(twins_agree),
       cmocka_unit_test(complex_edges_are_found_by_both),
