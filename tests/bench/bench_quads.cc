@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/base.h"
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -11,6 +12,7 @@
 
 extern "C" {
 #include "base/diag.h"
+#include "geom/quality.h"
 #include "mesh/mesh.h"
 #include "out/formats.h"
 }
@@ -51,15 +53,36 @@ static Graph file_graph(const char *path)
   return g;
 }
 
+// Sizes wanted: of geo/seed_rectangle.geo, or the same everywhere.
+static double rectangle_size(void *, Vec2 p) { return 0.1 + 0.08 * std::sin(3 * p.x) * std::cos(6 * p.y); }
+static double even_size(void *h, Vec2) { return *static_cast<double *>(h); }
+
+// Efficiency index over all edges.
+static double efficiency(const QuadMesh *m, SizeAt size, void *ctx)
+{
+  uint32_t *twin = quad_mesh_twins(m);
+  double sum = 0;
+  size_t n = 0;
+  for (uint32_t s = 0; s < m->vertex.len; s++) {
+    uint32_t e = s / 4, k = quad_mesh_corners(m, e);
+    if (s % 4 >= k || (twin[s] != NONE && twin[s] < s)) continue;
+    sum += quality_tau_term(quality_edge_length(m->xy.data[m->vertex.data[s]], m->xy.data[m->vertex.data[4 * e + (s % 4 + 1) % k]], size, ctx));
+    n++;
+  }
+  std::free(twin);
+  return std::exp(sum / static_cast<double>(n));
+}
+
 // What a mesh of quads is worth, whoever made it.
-static int measure(const char *name, const char *path)
+static int measure(const char *name, const char *path, const char *sizes)
 {
   QuadMesh m = read_mesh(path);
   QuadQuality q = quad_measure(&m);
   std::printf("%-10s %8zu quads %6zu triangles   eta min %.3f 5%% %.3f mean %.3f   scaled Jacobian %.3f   irregular %.1f %%", name,
               q.quads, q.triangles, q.eta_min, q.eta_p5, q.eta_mean, q.jacobian_min, 100.0 * (double)q.irregular / (double)q.interior);
   if (q.triangles == 0) std::printf("   indices %ld/4, chi %ld", q.index_sum4, q.euler);
-  std::printf("\n");
+  double h = std::strtod(sizes, NULL);
+  std::printf("   tau %.3f\n", h > 0 ? efficiency(&m, even_size, &h) : efficiency(&m, rectangle_size, NULL));
   quad_mesh_free(&m);
   return 0;
 }
@@ -92,10 +115,11 @@ static bool bench(const char *name, const Graph &g, double lemon_most)
   return good;
 }
 
-// Arguments: largest number of triangles of lattices, and up to which LEMON is run; then mesh files. Or: measure NAME FILE.
+// Arguments: largest number of triangles of lattices, and up to which LEMON is run; then mesh files. Or: measure NAME FILE SIZE,
+// the size a number or "rectangle" for that of geo/seed_rectangle.geo.
 int main(int argc, char **argv)
 {
-  if (argc == 4 && std::strcmp(argv[1], "measure") == 0) return measure(argv[2], argv[3]);
+  if (argc == 5 && std::strcmp(argv[1], "measure") == 0) return measure(argv[2], argv[3], argv[4]);
   double most = argc > 1 ? std::strtod(argv[1], NULL) : 3e5, lemon_most = argc > 2 ? std::strtod(argv[2], NULL) : 3.5e4;
   std::printf("%-28s %9s %9s %9s %9s %7s %8s\n", "graph", "triangles", "solve s", "check s", "LEMON s", "ratio", "swept/n");
   bool good = true;

@@ -26,17 +26,17 @@ seconds() { # seconds COMMAND...: user seconds of it, in $took
   local TIMEFORMAT=%U
   took=$( { time timeout 300 "$@" >"$tmp/log" 2>&1; } 2>&1)
 }
-one() { # one TITLE FILE OPTIONS...
-  local file=$2
+one() { # one TITLE FILE SIZE OPTIONS...
+  local file=$2 size=$3
   echo "== $1"
-  shift 2
+  shift 3
   seconds "$meshgen" -2 "$file" "$@" -nt 1 -format msh2 -o "$tmp/m.msh"
-  printf '%8.2f s  ' "$took" && "$bench" measure meshgen "$tmp/m.msh"
-  grep -E 'efficiency' "$tmp/log"
+  printf '%8.2f s  ' "$took" && "$bench" measure meshgen "$tmp/m.msh" "$size"
+  grep -E 'indices|matching' "$tmp/log"
   command -v gmsh >/dev/null || return
   rm -f "$tmp/g.msh"
   seconds gmsh -2 "$file" "$@" -nt 1 -format msh22 -o "$tmp/g.msh"
-  if [ -s "$tmp/g.msh" ]; then printf '%8.2f s  ' "$took" && "$bench" measure gmsh "$tmp/g.msh"; else echo "gmsh: no mesh"; fi
+  if [ -s "$tmp/g.msh" ]; then printf '%8.2f s  ' "$took" && "$bench" measure gmsh "$tmp/g.msh" "$size"; else echo "gmsh: no mesh"; fi
 }
 if command -v gmsh >/dev/null; then
   echo "== recombination of 48,000 triangles: with less without it, seconds"
@@ -48,9 +48,9 @@ if command -v gmsh >/dev/null; then
   done
 fi
 for method in 0 1 2 3 4; do
-  one "the book's rectangle, method $method" "$root/geo/seed_rectangle.geo" -setnumber Mesh.RecombineAll 1 -setnumber Mesh.RecombinationAlgorithm $method
+  one "the book's rectangle, method $method" "$root/geo/seed_rectangle.geo" rectangle -setnumber Mesh.RecombineAll 1 -setnumber Mesh.RecombinationAlgorithm $method
 done
-one "the book's rectangle, algorithm 8" "$root/geo/seed_rectangle.geo" -algo delquad -setnumber Mesh.RecombineAll 1
+one "the book's rectangle, algorithm 8" "$root/geo/seed_rectangle.geo" rectangle -algo delquad -setnumber Mesh.RecombineAll 1
 for algorithm in front2d delquad; do
-  one "square, h = 0.007, $algorithm" "$tmp/square.geo" -algo $algorithm -setnumber Mesh.RecombineAll 1
+  one "square, h = 0.007, $algorithm" "$tmp/square.geo" 0.007 -algo $algorithm -setnumber Mesh.RecombineAll 1
 done
