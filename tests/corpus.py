@@ -89,7 +89,7 @@ def summarize(path, without=(), tag_0_grouped=True):
 
 
 def pairs(text):
-    return {int(k): float(v) for k, v in (w.split(":") for w in text.split(";") if w)}
+    return {int(k): float(v) for k, v in (w.split(":") for w in text.split(";") if ":" in w)}  # else: "(188 surfaces)"
 
 
 def compare(mine, ref):

@@ -5,6 +5,7 @@
 //   x = y;                 // expect error: unknown variable 'y'
 //   // expect warning: ..., // expect note: ... likewise; the text need only be contained in the message of
 //   that line
+//   // prepare for meshing: also what is said when the model is checked as a whole
 //   // expect model: points 4, curves 4, loops 1, faces 1, volumes 0, groups 0      (at the end of the run)
 //   // given number NAME 3  (before the run: -setnumber), given string NAME TEXT, given list NAME 1 2 3,
 //   given text GEO-TEXT
@@ -185,6 +186,7 @@ static void check_messages(Case *c, const char *path, const Diag *diag)
     }
     if (e) {
       e->met = true;
+      printf("# said: %s\n", m->text); // read by tests/script/run_messages.sh
       result(true, path, e->line, e->text);
       continue;
     }
@@ -246,6 +248,7 @@ static void run_case(const char *path)
     snprintf(line, sizeof line, "[exit %d]", script_exit_code(s));
     record(&c, line);
   }
+  if (strstr(text, "// prepare for meshing")) model_prepare(model, 1e-8, diag);
   check_printed(&c, path);
   check_messages(&c, path, diag);
   check_model(&c, path, model);
