@@ -75,8 +75,10 @@ static void set_name(Walk *w, bool number)
     snprintf(category, sizeof category, "%.*s", (int)(dot - name), name);
     const OptRow *row = options_find(category, dot + 1);
     if (!row) {
-      const char *near = options_nearest(category, dot + 1);
-      usage_error(w, near ? "unknown option '%'; did you mean '%'?" : "unknown option '%'", name, near);
+      const char *key = options_nearest(category, dot + 1);
+      char near[160];
+      snprintf(near, sizeof near, "%s.%s", category, key ? key : "");
+      usage_error(w, key ? "unknown option '%'; did you mean '%'?" : "unknown option '%'", name, near);
       return;
     }
     if (number)

@@ -61,6 +61,7 @@ ExitCode cli_parse(Cli *c, int argc, char **argv, Diag *diag);
 void cli_free(Cli *c);
 
 // help.c: texts made from the tables.
+void help_print_usage(FILE *f); // the first lines of the help
 void help_print(FILE *f);
 void help_print_options(FILE *f, const Options *o);
 void help_print_formats(FILE *f);

@@ -31,7 +31,7 @@ static void print_row(FILE *f, const char *names, const char *metavar, const cha
   fputc('\n', f);
 }
 
-void help_print(FILE *f)
+void help_print_usage(FILE *f)
 {
   fprintf(f, "meshgen %s - a mesher of plane models\n\n"
              "Usage: meshgen [switches] file.geo ...\n"
@@ -41,6 +41,11 @@ void help_print(FILE *f)
              "  meshgen -2 plate.geo -clscale 0.5 -o fine.vtk\n"
              "  meshgen -2 plate.geo -setnumber R 0.3 -o plate.msh -o plate.png\n",
           meshgen_version);
+}
+
+void help_print(FILE *f)
+{
+  help_print_usage(f);
   for (size_t i = 0; i < ARRAY_LEN(help_rows); i++) {
     if (help_rows[i].title) {
       fprintf(f, "\n%s:\n", help_rows[i].title);

@@ -69,7 +69,10 @@ static ExitCode act(const Cli *c, Diag *diag)
   case CMD_DUMP_MAN: help_print_man(stdout); return EXIT_GOOD;
   case CMD_VERSION: printf("%s\n", meshgen_version); return EXIT_GOOD;
   case CMD_INFO: printf("meshgen %s, compiled with %s\n", meshgen_version, __VERSION__); return EXIT_GOOD;
-  case CMD_COMPLETION: return c->shell && help_print_completion(stdout, c->shell) ? EXIT_GOOD : EXIT_USAGE;
+  case CMD_COMPLETION:
+    if (help_print_completion(stdout, c->shell)) return EXIT_GOOD;
+    diag_error(diag, NO_LOC, "no completion for '%s'; there is one for bash, zsh and fish", c->shell);
+    return EXIT_USAGE;
   default: return run(c, diag);
   }
 }
@@ -97,8 +100,10 @@ int main(int argc, char **argv)
 {
   Diag *diag = diag_new(true);
   diag_set_color(diag, terminal_has_color());
-  int status = EXIT_GOOD;
-  if (!subcommand_run(argc, argv, diag, &status)) status = run_command_line(argc, argv, diag);
+  int status = EXIT_USAGE;
+  if (argc <= 1)
+    help_print_usage(stderr), fputs("\nAll switches: meshgen -help\n", stderr);
+  else if (!subcommand_run(argc, argv, diag, &status)) status = run_command_line(argc, argv, diag);
   diag_free(diag);
   if (fflush(stdout) != 0 && status == EXIT_GOOD) status = EXIT_ENVIRONMENT;
   return status;

@@ -239,7 +239,14 @@ ExitCode output_check(const Cli *c, Diag *diag)
     return EXIT_USAGE;
   }
   ExitCode status = EXIT_GOOD;
-  for (size_t i = 0; i < c->outputs.len && status == EXIT_GOOD; i++) status = check_output(c, c->outputs.data[i], diag);
+  for (size_t i = 0; i < c->outputs.len && status == EXIT_GOOD; i++) {
+    status = check_output(c, c->outputs.data[i], diag);
+    for (size_t k = 0; k < i && status == EXIT_GOOD; k++)
+      if (strcmp(c->outputs.data[i], c->outputs.data[k]) == 0) {
+        diag_error(diag, NO_LOC, "-o %s is said twice", c->outputs.data[i]);
+        status = EXIT_USAGE;
+      }
+  }
   if (status == EXIT_GOOD && c->inputs.len > 1 && c->outputs.len) status = check_names(c, diag);
   return status;
 }

@@ -378,6 +378,7 @@ static ExitCode finish(Job *j)
     diag_error(j->diag, NO_LOC, "meshes cannot be partitioned by this version (-part, Mesh.NbPartitions)");
     return EXIT_INPUT;
   }
+  if (!j->mesh->nnode) diag_warning(j->diag, NO_LOC, "%s: there is nothing to mesh: the mesh is empty", j->input);
   bool good = j->mesh_dim < 0 || audit(j);
   if (!good && !j->cli->keep_going) return EXIT_INPUT;
   ExitCode status = write_and_report(j, true);

@@ -4,8 +4,11 @@
 
 #include "cli/subcommand.h"
 
+#include <unistd.h>
+
 #include "base/json.h"
 #include "base/number.h"
+#include "base/str.h"
 #include "cli/report.h"
 #include "mesh/mesh_check.h"
 #include "mesh/mesh_diff.h"
@@ -306,6 +309,16 @@ static const struct {
   int (*run)(Words *);
 } subcommands[] = {{"check", run_check}, {"hash", run_hash}, {"diff", run_diff}};
 
+// A first word that is no file but nearly a subcommand, with words to follow.
+static bool misspelt(const char *word, Diag *diag)
+{
+  const char *names[ARRAY_LEN(subcommands)];
+  for (size_t i = 0; i < ARRAY_LEN(subcommands); i++) names[i] = subcommands[i].name;
+  const char *near = strchr(word, '.') || access(word, F_OK) == 0 ? NULL : str_nearest(word, names, ARRAY_LEN(names));
+  if (near) diag_error(diag, NO_LOC, "unknown subcommand '%s'; did you mean 'meshgen %s'?", word, near);
+  return near != NULL;
+}
+
 bool subcommand_run(int argc, char **argv, Diag *diag, int *status)
 {
   for (size_t i = 0; argc > 1 && i < ARRAY_LEN(subcommands); i++) {
@@ -314,5 +327,6 @@ bool subcommand_run(int argc, char **argv, Diag *diag, int *status)
     *status = subcommands[i].run(&w);
     return true;
   }
-  return false;
+  *status = EXIT_USAGE;
+  return argc > 2 && misspelt(argv[1], diag);
 }

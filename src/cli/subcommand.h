@@ -6,7 +6,7 @@
 #include "base/base.h"
 #include "base/diag.h"
 
-// True if argv[1] names a subcommand, which was then run; *status is the program's exit status.
+// True if argv[1] names a subcommand, which was then run, or nearly names one, which was said; *status is the exit status.
 bool subcommand_run(int argc, char **argv, Diag *diag, int *status);
 
 #endif

@@ -154,7 +154,11 @@ static const Format *choose_reader(const char *path, const char *format, const c
   } else {
     f = sniff(text, len);
     if (!f) f = format_of_path(path);
-    if (!f) diag_error(d, NO_LOC, "'%s': the format of this file is not known (name it with -format)", path);
+    const char *dot = strrchr(path, '.');
+    if (!f && dot && strcasecmp(dot, ".geo") == 0)
+      diag_error(d, NO_LOC, "%s is a script, not a mesh: meshgen -2 makes a mesh of it", path);
+    else if (!f)
+      diag_error(d, NO_LOC, "'%s': the format of this file is not known; its extension should tell", path);
   }
   if (f && !format_reads(f)) {
     diag_error(d, NO_LOC, "'%s': format %s can be written, not read", path, f->name);
