@@ -458,7 +458,6 @@ static bool run_rounds(Untangler *t)
     if (t->reported > MOST_REPORTED) diag_note(t->diag, NO_LOC, "and %d more crossings", t->reported - MOST_REPORTED);
     if (t->reported || (t->meet && t->meet->len)) return false;
     if (!bad) return true;
-    log_info(t->diag, "%zu crossings in the 1D mesh: halving edges, round %d", bad, round + 1);
     if (round >= t->opt->Mesh_MaxRetries) {
       diag_error(t->diag, first[1]->loc, "edges of curve %d and curve %d still cross after %d rounds of halving (Mesh.MaxRetries)",
                  first[1]->tag, first[0]->tag, round);

@@ -255,32 +255,29 @@ DAMAGES = [
     (t_junction, "t-junction", "error", set()), (group_without_elements, "group", "warning", {NAMES}),
     (two_groups_of_one_name, "group", "warning", {NAMES})]
 
-meshgen, count = sys.argv[1], 0
+def main(meshgen):
+    count = 0
+    for damage, rule, kind, needs in DAMAGES:
+        for ext, (write, holds) in FORMATS.items():
+            if not needs <= holds:
+                continue
+            m = Mesh()
+            at = damage(m)
+            with open(f"x.{ext}", "w") as f:
+                f.write(write(m))
+            r = subprocess.run([meshgen, "check", "-json", f"x.{ext}"], capture_output=True, text=True)
+            count += 1
+            try:
+                found = json.loads(r.stdout)["findings"]
+            except ValueError:
+                found = [{"kind": "error", "rule": "json", "at": [0, 0], "text": r.stdout + r.stderr}]
+            hits = [f for f in found if f["rule"] == rule and f["kind"] == kind]
+            near = at is None or any(abs(f["at"][0] - at[0]) + abs(f["at"][1] - at[1]) < 0.35 for f in hits)
+            good = r.returncode == (1 if kind == "error" else 0) and near and (bool(hits) if rule else not found)
+            print(f"{'ok' if good else 'not ok'} {count} - {damage.__name__.replace('_', ' ')} in .{ext}")
+            if not good:
+                print(f"# exit {r.returncode}, {rule} at {at} wanted, found", *(f"{f['kind']} {f['rule']} {f['at']} {f['text']}" for f in found[:4]))
 
 
-def said(name, good, why):
-    global count
-    count += 1
-    print(f"ok {count} - {name}" if good else f"not ok {count} - {name}\n# {why}")
-
-
-for damage, rule, kind, needs in DAMAGES:
-    for ext, (write, holds) in FORMATS.items():
-        if not needs <= holds:
-            continue
-        m = Mesh()
-        at = damage(m)
-        with open(f"x.{ext}", "w") as f:
-            f.write(write(m))
-        r = subprocess.run([meshgen, "check", "-json", f"x.{ext}"], capture_output=True, text=True)
-        name = f"{damage.__name__.replace('_', ' ')} in .{ext}"
-        try:
-            found = json.loads(r.stdout)["findings"]
-        except ValueError:
-            said(name, False, r.stdout + r.stderr)
-            continue
-        hits = [f for f in found if f["rule"] == rule and f["kind"] == kind]
-        near = at is None or any(abs(f["at"][0] - at[0]) + abs(f["at"][1] - at[1]) < 0.35 for f in hits)
-        good = (r.returncode == (1 if kind == "error" else 0) and near and (bool(hits) if rule else not found))
-        said(name, good, f"exit {r.returncode}, {rule} at {at} wanted, found " + "; ".join(
-            f"{f['kind']} {f['rule']} {f['at']} {f['text']}" for f in found[:4]))
+if __name__ == "__main__":
+    main(sys.argv[1])
