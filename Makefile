@@ -4,7 +4,8 @@
 CONFIG ?= release
 prefix ?= /usr/local
 bindir ?= $(prefix)/bin
-mandir ?= $(prefix)/share/man
+datadir ?= $(prefix)/share
+mandir ?= $(datadir)/man
 DESTDIR ?=
 CC ?= cc
 CXX ?= c++
@@ -54,12 +55,14 @@ MAIN_OBJ := $(B)/cli/main.o
 LIB := $(B)/libmeshgen.a
 PROGRAM := $(B)/meshgen
 
-.PHONY: all
-## all: build ./meshgen (default)
+.PHONY: all program meshgen
+## all: build ./meshgen (default), a link to the program of this CONFIG
 all: meshgen
 
 meshgen: $(PROGRAM)
-	$(Q)ln -sf $(PROGRAM) meshgen
+	$(Q)[ "$$(readlink $@)" = $< ] || ln -sfn $< $@
+
+program: $(PROGRAM)
 
 $(PROGRAM): $(MAIN_OBJ) $(LIB)
 	@echo "LINK $@"
@@ -123,13 +126,13 @@ run-check: all unit
 ## check-asan: unit and script tests under address and undefined-behaviour sanitizers
 check-asan:
 	$(Q)sh tests/install-packages.sh build test asan
-	$(Q)$(MAKE) --no-print-directory CONFIG=asan all unit
+	$(Q)$(MAKE) --no-print-directory CONFIG=asan program unit
 	$(Q)CONFIG=asan tests/run.sh quick
 
 ## check-stress: the same in the stress build (arrays that always move, validators after every change)
 check-stress:
 	$(Q)sh tests/install-packages.sh build test
-	$(Q)$(MAKE) --no-print-directory CONFIG=stress all unit
+	$(Q)$(MAKE) --no-print-directory CONFIG=stress program unit
 	$(Q)CONFIG=stress tests/run.sh quick
 
 .PHONY: check-predicates
@@ -171,7 +174,7 @@ metrics:
 
 ## coverage: line coverage of the unit and script tests (gcovr)
 coverage:
-	$(Q)$(MAKE) --no-print-directory CONFIG=cov all unit
+	$(Q)$(MAKE) --no-print-directory CONFIG=cov program unit
 	$(Q)CONFIG=cov tests/run.sh quick
 	$(Q)gcovr -r . --object-directory build/cov src 2>/dev/null | tail -40
 
@@ -187,21 +190,28 @@ man: all
 
 # ---- installing ---------------------------------------------------------------------------------------------------
 .PHONY: install uninstall clean help
-## install: program and manual page under prefix (DESTDIR is honoured)
-install: all
-	install -d $(DESTDIR)$(bindir) $(DESTDIR)$(mandir)/man1
+# Where each shell looks for completions; what goes there is printed by the program.
+COMPLETION_bash := $(DESTDIR)$(datadir)/bash-completion/completions/meshgen
+COMPLETION_zsh := $(DESTDIR)$(datadir)/zsh/site-functions/_meshgen
+COMPLETION_fish := $(DESTDIR)$(datadir)/fish/vendor_completions.d/meshgen.fish
+COMPLETIONS := $(foreach s,bash zsh fish,$(COMPLETION_$(s)))
+
+## install: program, manual page and completions for bash, zsh and fish under prefix (DESTDIR is honoured)
+install: program
+	install -d $(DESTDIR)$(bindir) $(DESTDIR)$(mandir)/man1 $(dir $(COMPLETIONS))
 	install -m 755 $(PROGRAM) $(DESTDIR)$(bindir)/meshgen
 	install -m 644 meshgen.1 $(DESTDIR)$(mandir)/man1/meshgen.1
+	$(foreach s,bash zsh fish,$(PROGRAM) -completion $(s) >$(COMPLETION_$(s)) &&) chmod 644 $(COMPLETIONS)
 
 ## uninstall: remove what install put there
 uninstall:
-	rm -f $(DESTDIR)$(bindir)/meshgen $(DESTDIR)$(mandir)/man1/meshgen.1
+	rm -f $(DESTDIR)$(bindir)/meshgen $(DESTDIR)$(mandir)/man1/meshgen.1 $(COMPLETIONS)
 
 ## clean: remove all that was built
 clean:
 	rm -rf build meshgen
 
-## help: this list. CONFIG=release|debug|asan|stress|cov, V=1, DEVELOPER=1 (-Werror), MARCH=-march=native
+## help: this list. CONFIG=release|debug|asan|stress|cov|fuzz, V=1, DEVELOPER=1 (-Werror), MARCH=-march=native
 help:
 	$(Q)sed -n 's/^## //p' $(MAKEFILE_LIST) | sort
 
