@@ -373,6 +373,7 @@ UNREACHED = [
     "node %llu is on no entity", "node number %u of", "a group of dimension %d with tag", "a pair of nodes %u", "it is in group %d, which",
     "its elements have %zu boundary cycles", "V - E + F", "its elements add up to", "node %llu is on %s",
     # guards
+    "the indices of the vertices add up",
     "curve %d is defined here", "a node whose coordinates are not finite", "surface %d has no area", "surface %d has too many nodes",
     "curve %d copies the mesh of curve %d", "go on splitting them for each other", "overlap; they cannot be refined",
     "its nodes come in another order", "has no room for its boundary layers", "no pairs are written", "(its corner, point %d, is not on",
