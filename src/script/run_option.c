@@ -109,8 +109,8 @@ bool script__set_option(Script *s, const char *name, SrcLoc loc, int op, double 
     return false;
   }
   if (row->kind == OPT_STAT) {
-    script__error(s, loc, "'%s' can only be read", name);
-    return false;
+    diag_warning(s->diag, loc, "'%s' can only be read; the value is left out", name); // files that list all options have these too
+    return true;
   }
   double old = options_get_number(s->options, row), v = value;
   switch (op) {

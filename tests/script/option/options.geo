@@ -15,7 +15,7 @@ Mesh.Reparam = 3;                                // expect warning: unknown opti
 x = Mesh.Nonsense;                               // expect error: unknown option 'Mesh.Nonsense'
 x = a.b.c;                                       // expect error: unknown option category 'a'
 Printf("%g", Mesh.NbNodes);                      // expect: 42
-Mesh.NbNodes = 3;                                // expect error: 'Mesh.NbNodes' can only be read
+Mesh.NbNodes = 3;                                // expect warning: 'Mesh.NbNodes' can only be read
 Mesh.Color.Lines = {255, 0, 0}; General.Color.Text = Black; Geometry.Color.Points = Red;
 View[0].Visible = 0; View[0].ColorTable = {{1,2,3},{4,5,6}}; PostProcessing.Link = 2; Print.Text = 1;
 General.RotationX = 30; General.Trackball = 0; Geometry.PointNumbers = 1; Mesh.Points = 1;
