@@ -21,7 +21,7 @@ static bool find_bad(const double *xy, size_t n, uint32_t *bad)
 // ---- points in order ----------------------------------------------------------------------------------------------
 
 typedef struct {
-  const double *xy;
+  double *xy;
   const uint32_t *order;
   double *to;
   size_t n;
@@ -39,6 +39,15 @@ static void gather_chunk(void *ctx, size_t k, int worker)
     g->to[2 * i] = p[0];
     g->to[2 * i + 1] = p[1];
   }
+}
+
+// Back from g.to to where they came from.
+static void copy_chunk(void *ctx, size_t k, int worker)
+{
+  Gather *g = ctx;
+  (void)worker;
+  size_t from = k * GATHER_CHUNK, end = MIN(g->n, from + GATHER_CHUNK);
+  memcpy(g->xy + 2 * from, g->to + 2 * from, 2 * (end - from) * sizeof *g->to);
 }
 
 static int compare_u32(const void *a, const void *b)
@@ -196,10 +205,15 @@ TriBuildResult tri_build(Tri *m, double *xy, size_t n, TriBuild *how)
   uint32_t *order = how->reorder ? m->vert : mem_alloc(n * sizeof *order);
   uint32_t *key = mem_alloc((n + BULK_KEYS_BEYOND) * sizeof *key);
   hilbert_sort(xy, n, order, key, scratch, how->threads);
-  double *sorted = mem_alloc_large(2 * n * sizeof *sorted);
+  bool in_place = how->reorder && how->take;
+  double *sorted = in_place ? (void *)m->twin : mem_alloc_large(2 * n * sizeof *sorted);
   Gather g = {xy, order, sorted, n};
-  thread_for((n + GATHER_CHUNK - 1) / GATHER_CHUNK, how->threads, gather_chunk, &g);
-  if (how->reorder && how->take) free(xy);
+  size_t chunks = (n + GATHER_CHUNK - 1) / GATHER_CHUNK;
+  thread_for(chunks, how->threads, gather_chunk, &g);
+  if (in_place) {
+    thread_for(chunks, how->threads, copy_chunk, &g);
+    sorted = xy;
+  }
   size_t nd = drop_duplicates(sorted, order, key, n, how->vertex_of, how->duplicates);
   size_t nt = nd > 1 ? 2 * nd - 2 : 0;
   m->nt = (uint32_t)nt;
