@@ -8,16 +8,6 @@
 #include "geom/hilbert.h"
 #include "tri/tri_bulk.h"
 
-static bool find_bad(const double *xy, size_t n, uint32_t *bad)
-{
-  for (size_t i = 0; i < 2 * n; i++)
-    if (!isfinite(xy[i])) {
-      *bad = (uint32_t)(i / 2);
-      return true;
-    }
-  return false;
-}
-
 // ---- points in order ----------------------------------------------------------------------------------------------
 
 typedef struct {
@@ -25,9 +15,21 @@ typedef struct {
   const uint32_t *order;
   double *to;
   size_t n;
+  uint32_t *of;    // gets the place in the order of each point, or NULL
+  uint32_t *found; // by chunk: the first point that is not finite, or NONE; then how many are equal to the one before
 } Gather;
 
 enum { GATHER_CHUNK = 1 << 16 };
+
+static void check_chunk(void *ctx, size_t k, int worker)
+{
+  Gather *g = ctx;
+  (void)worker;
+  size_t end = MIN(g->n, (k + 1) * GATHER_CHUNK);
+  g->found[k] = NONE;
+  for (size_t i = end; i-- > k * GATHER_CHUNK;)
+    if (!isfinite(g->xy[2 * i]) || !isfinite(g->xy[2 * i + 1])) g->found[k] = (uint32_t)i;
+}
 
 static void gather_chunk(void *ctx, size_t k, int worker)
 {
@@ -39,6 +41,21 @@ static void gather_chunk(void *ctx, size_t k, int worker)
     g->to[2 * i] = p[0];
     g->to[2 * i + 1] = p[1];
   }
+}
+
+// Points in order: number them and count those equal to the one before.
+static void number_chunk(void *ctx, size_t k, int worker)
+{
+  Gather *g = ctx;
+  (void)worker;
+  size_t end = MIN(g->n, (k + 1) * GATHER_CHUNK);
+  const double *p = g->to;
+  uint32_t equal = 0;
+  for (size_t i = k * GATHER_CHUNK; i < end; i++) {
+    if (g->of) g->of[g->order[i]] = (uint32_t)i;
+    if (i > 0) equal += p[2 * i] == p[2 * i - 2] && p[2 * i + 1] == p[2 * i - 1];
+  }
+  g->found[k] = equal;
 }
 
 // Back from g.to to where they came from.
@@ -59,8 +76,8 @@ static int compare_u32(const void *a, const void *b)
 }
 
 // Points sorted so that equal ones are neighbours: drop the later ones, from the keys too. of[] gets the place in the order
-// without duplicates of each point. Returns how many are left.
-static size_t drop_duplicates(double *xy, uint32_t *order, uint32_t *key, size_t n, uint32_t *of, U32Vec *duplicates)
+// without duplicates of each point.
+static void drop_duplicates(double *xy, uint32_t *order, uint32_t *key, size_t n, uint32_t *of, U32Vec *duplicates)
 {
   size_t k = 0, old = duplicates ? duplicates->len : 0;
   for (size_t i = 0; i < n; i++) {
@@ -79,7 +96,6 @@ static size_t drop_duplicates(double *xy, uint32_t *order, uint32_t *key, size_t
   }
   if (duplicates && duplicates->len > old)
     qsort(duplicates->data + old, duplicates->len - old, sizeof *duplicates->data, compare_u32);
-  return k;
 }
 
 // ---- parts --------------------------------------------------------------------------------------------------------
@@ -189,13 +205,32 @@ static uint8_t dimension(const Tri *m)
   return 1;
 }
 
+// The vertices get the numbers of the points as given, and the coordinates in that order.
+static void number_as_given(Tri *m, double *xy, size_t n, const uint32_t *order, const TriBuild *how)
+{
+  for (size_t e = 0; e < 3 * (size_t)m->nt; e++)
+    if (m->vert[e] != TRI_INF) m->vert[e] = order[m->vert[e]];
+  if (how->vertex_of)
+    for (size_t i = 0; i < n; i++) how->vertex_of[i] = order[how->vertex_of[i]];
+  if (how->take) m->xy = xy;
+  else {
+    m->xy = mem_alloc(2 * n * sizeof *m->xy);
+    if (n) memcpy(m->xy, xy, 2 * n * sizeof *m->xy);
+  }
+  m->nv = m->cap_v = (uint32_t)n;
+}
+
 TriBuildResult tri_build(Tri *m, double *xy, size_t n, TriBuild *how)
 {
-  TriBuildResult bad = n > TRI_MAX_VERTICES ? TRI_BUILD_TOO_MANY
-                       : find_bad(xy, n, &how->bad) ? TRI_BUILD_NOT_FINITE
-                                                    : TRI_BUILD_GOOD;
+  size_t chunks = (n + GATHER_CHUNK - 1) / GATHER_CHUNK;
+  Gather g = {.xy = xy, .n = n, .of = how->vertex_of, .found = mem_alloc(chunks * sizeof *g.found)};
+  thread_for(chunks, how->threads, check_chunk, &g);
+  how->bad = NONE;
+  for (size_t k = chunks; k-- > 0;) how->bad = MIN(how->bad, g.found[k]);
+  TriBuildResult bad = n > TRI_MAX_VERTICES ? TRI_BUILD_TOO_MANY : how->bad != NONE ? TRI_BUILD_NOT_FINITE : TRI_BUILD_GOOD;
   if (bad != TRI_BUILD_GOOD) {
     if (how->take) free(xy);
+    free(g.found);
     return bad;
   }
   tri_init(m);
@@ -207,14 +242,17 @@ TriBuildResult tri_build(Tri *m, double *xy, size_t n, TriBuild *how)
   hilbert_sort(xy, n, order, key, scratch, how->threads);
   bool in_place = how->reorder && how->take;
   double *sorted = in_place ? (void *)m->twin : mem_alloc_large(2 * n * sizeof *sorted);
-  Gather g = {xy, order, sorted, n};
-  size_t chunks = (n + GATHER_CHUNK - 1) / GATHER_CHUNK;
+  g.order = order, g.to = sorted;
   thread_for(chunks, how->threads, gather_chunk, &g);
   if (in_place) {
     thread_for(chunks, how->threads, copy_chunk, &g);
-    sorted = xy;
+    g.to = sorted = xy;
   }
-  size_t nd = drop_duplicates(sorted, order, key, n, how->vertex_of, how->duplicates);
+  thread_for(chunks, how->threads, number_chunk, &g);
+  size_t nd = n;
+  for (size_t k = 0; k < chunks; k++) nd -= g.found[k];
+  free(g.found);
+  if (nd < n) drop_duplicates(sorted, order, key, n, how->vertex_of, how->duplicates);
   size_t nt = nd > 1 ? 2 * nd - 2 : 0;
   m->nt = (uint32_t)nt;
   memset(m->flag, 0, m->cap_t * sizeof *m->flag);
@@ -225,18 +263,9 @@ TriBuildResult tri_build(Tri *m, double *xy, size_t n, TriBuild *how)
     m->xy = sorted;
     m->nv = m->cap_v = (uint32_t)nd;
   } else {
-    for (size_t e = 0; e < 3 * nt; e++)
-      if (m->vert[e] != TRI_INF) m->vert[e] = order[m->vert[e]];
-    if (how->vertex_of)
-      for (size_t i = 0; i < n; i++) how->vertex_of[i] = order[how->vertex_of[i]];
+    number_as_given(m, xy, n, order, how);
     free(order);
     free(sorted);
-    if (how->take) m->xy = xy;
-    else {
-      m->xy = mem_alloc(2 * n * sizeof *m->xy);
-      if (n) memcpy(m->xy, xy, 2 * n * sizeof *m->xy);
-    }
-    m->nv = m->cap_v = (uint32_t)n;
   }
   m->dim = dimension(m);
   m->last = nt ? 0 : NONE;

@@ -65,7 +65,7 @@ void bulk_climb(Bulk *m);
 
 // The same by insertion, for any vertices, not only a cell's (tri_bulk_insert.c).
 BulkHull bulk_insert(Bulk *m, VertId lo, VertId hi);
-void bulk__begin_insert(Bulk *m);
+void bulk__begin_insert(Bulk *m); // its scratch memory, of bulk_begin and bulk_end
 void bulk__end_insert(Bulk *m);
 
 // Four vertices from lo on; false, and nothing is done: three are on one line. One to three vertices; any
