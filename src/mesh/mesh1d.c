@@ -266,7 +266,7 @@ static bool check_total(Mesher1d *d)
              d->opt->Mesh_MaxElements, c->tag, most);
   Str why = {0};
   Vec3 p = curve_point(d->m, c, 0.5);
-  size_responsible(d->eval[0], NULL, p, &why);
+  size_responsible(d->eval[0], NULL, c, p, &why);
   diag_note(d->diag, NO_LOC, "in its middle (%g, %g) the size is fixed by %s", p.x, p.y, str_text(&why));
   str_free(&why);
   return false;

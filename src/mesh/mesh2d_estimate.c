@@ -280,11 +280,11 @@ static void explain(const Mesh2dInput *in, const Face *f, const Estimate *e)
   const Curve *c = e->curve ? model_curve(in->model, e->curve) : NULL;
   if (c) {
     const CurveMesh *cm = mesh1d_curve(in->curves, e->curve);
-    size_responsible(eval, NULL, curve_point(in->model, c, 0.5), &why);
+    size_responsible(eval, NULL, c, curve_point(in->model, c, 0.5), &why);
     diag_note(in->diag, c->loc, "sizes come from its boundary, where curve %d has %u edges: fixed by %s", e->curve, cm->n - 1,
               str_text(&why));
   } else {
-    size_responsible(eval, f, p, &why);
+    size_responsible(eval, f, NULL, p, &why);
     diag_note(in->diag, NO_LOC, "at (%g, %g) the size %g is fixed by %s", p.x, p.y, e->h / face_plane_scale(f, e->at), str_text(&why));
   }
   size_eval_free(eval);

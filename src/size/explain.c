@@ -161,7 +161,19 @@ void size_explain(SizeEval *e, const Face *f, Vec3 p, Str *out)
   if (s->factor != 1) str_printf(out, "  times Mesh.MeshSizeFactor = %.6g\n", s->factor);
 }
 
-void size_responsible(SizeEval *e, const Face *f, Vec3 p, Str *out)
+// The ends of a curve (NULL: unknown) with their sizes.
+static void name_points(const SizeField *s, const Curve *c, Str *out)
+{
+  str_printf(out, "the sizes of points");
+  for (int i = 0; c && i < 2; i++) {
+    const Point *p = model_point(s->model, i ? c->end : c->begin);
+    str_printf(out, "%s %d", i ? " and" : "", p->tag);
+    if (p->lc < LC_UNSET) str_printf(out, " (%g)", p->lc);
+    else str_printf(out, " (none given)");
+  }
+}
+
+void size_responsible(SizeEval *e, const Face *f, const Curve *c, Vec3 p, Str *out)
 {
   const SizeField *s = e->s;
   Where w = {f ? 2 : -1, f ? f->tag : 0};
@@ -169,7 +181,7 @@ void size_responsible(SizeEval *e, const Face *f, Vec3 p, Str *out)
   const char *bound = bound_in_force(s, wish);
   if (bound) str_printf(out, "%s", bound);
   else if (field < s->diagonal) name_node(&s->node[source_of(e, s->root, w, p)], out);
-  else if (s->from_points) str_printf(out, "the sizes of points");
+  else if (s->from_points) name_points(s, c, out);
   else str_printf(out, "the model's diagonal");
   if (s->factor < 1) str_printf(out, " times Mesh.MeshSizeFactor = %g", s->factor);
 }

@@ -73,7 +73,8 @@ void size_limit_growth(SizeField *s, const Vec3 *p, const double *h, size_t n);
 const Face *size_face_at(const Model *m, Vec3 p);
 // Which rule fixed the size at a place of the plane of f (NULL: of any entity), as an indented text through the tree of fields.
 void size_explain(SizeEval *e, const Face *f, Vec3 p, Str *out);
-// The name of what gives the smallest size at p: "Field[3] (Threshold), line 12", "MeshSizeMax", ...
-void size_responsible(SizeEval *e, const Face *f, Vec3 p, Str *out);
+// The name of what gives the smallest size at p: "Field[3] (Threshold), line 12", "MeshSizeMax", ...; if points do and p is on the curve c
+// (else NULL), those at its ends.
+void size_responsible(SizeEval *e, const Face *f, const Curve *c, Vec3 p, Str *out);
 
 #endif

@@ -91,7 +91,7 @@ says "about 3.7" "too many elements, by a field: the estimate, 4 / sqrt(3) * 0.1
 says "fixed by Field[1] (Box, line 3)" "too many elements, by a field: which"
 refused "by the sizes of points" 1e5 'Mesh.MeshSizeFactor=1e-2;'
 says "about 2.31e+06 elements" "too many elements, by points: the estimate"
-says "curve 1 has 1000 edges: fixed by the sizes of points times Mesh.MeshSizeFactor = 0.01" "too many elements, by points: why"
+says "curve 1 has 1000 edges: fixed by the sizes of points 1 (0.1) and 2 (0.1) times Mesh.MeshSizeFactor = 0.01" "too many elements, by points: why"
 refused "of a transfinite face" 1e8 'Transfinite Curve{1:4}=20001; Transfinite Surface{1};'
 says "about 8e+08 elements" "too many elements, of a transfinite face: exactly"
 printf '%s\n' "$square" 'Mesh.MeshSizeFactor=.2;' >many.geo

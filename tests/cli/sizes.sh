@@ -33,7 +33,7 @@ field 0 'MeshSize{1} = -0.1;' "the mesh size -0.1 is negative: the points have n
 field 0 'Point(9) = {2, 2, 0, -1};' "the mesh size -1 is negative: the point has none"
 field 1 'Mesh.MeshSizeMin = 0.1; Mesh.MeshSizeMax = 0.01;' "Mesh.MeshSizeMin (0.1) is larger than Mesh.MeshSizeMax (0.01)"
 field 1 'Field[1] = MathEval; Field[1].F = "1e-5"; Background Field = 1;' "more than Mesh.MaxElements = 1e+08 (-max_elements)" "Field[1] (MathEval, line 3)"
-field 1 'MeshSize{1, 2} = 1e-9;' "curve 1 alone" "more than Mesh.MaxElements = 1e+08"
+field 1 'MeshSize{1, 2} = 1e-9;' "curve 1 alone" "more than Mesh.MaxElements = 1e+08" "the sizes of points 1 (1e-09) and 2 (1e-09)"
 # through the tree of fields
 { cat square.geo; cat <<'END'; } >tree.geo
 Field[1] = Distance; Field[1].CurvesList = {1};

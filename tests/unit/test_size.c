@@ -582,7 +582,7 @@ static void explanations_name_the_rule(void **state)
   size_explain(t.e, NULL, (Vec3){0.5, 0.5, 0}, &out);
   assert_non_null(strstr(str_text(&out), "Mesh.MeshSizeMin = 0.5  <- decides"));
   str_clear(&out);
-  size_responsible(t.e, NULL, (Vec3){0.5, 0.5, 0}, &out);
+  size_responsible(t.e, NULL, NULL, (Vec3){0.5, 0.5, 0}, &out);
   assert_string_equal(str_text(&out), "Mesh.MeshSizeMin");
   str_free(&out);
   tear_down(&t);
