@@ -1,8 +1,8 @@
 // intersect_slabs.c - segments against segments in a tree of vertical slabs: no input is quadratic unless its answer is
 // SPDX-License-Identifier: MIT
 //
-// After [Balaban95], with a tree in the place of the sweep. The slabs of a level are bounded half-way between abscissae of ends, so that no
-// end lies on a bound. Of the segments that span a slab (from side to side) a staircase is taken: each strictly above the one before
+// After [Balaban95], with a tree in the place of the sweep. The slabs of a level are bounded half-way between abscissae of ends, so
+// that no end lies on a bound. Of the segments that span a slab (from side to side) a staircase is taken: each strictly above the one before
 // on both sides, or equal to it. What crosses the staircase, of the others that span and of those that end inside, lies between
 // two of its steps that are found by bisection. The others each cross a step, which pays for handing them down to both halves; a step is not
 // handed down. A slab with one abscissa is cut there: in either part all segments span, and those that cross are the inversions

@@ -102,24 +102,18 @@ int incircle_mp(const double *a, const double *b, const double *c, const double 
   return incircle_fixed(a, b, c, d, (int)MAX(bits, (mpfr_prec_t)64));
 }
 
-// y = (ay 2 (bx - ax) + (by - ay) (u + v - 2 ax)) / (2 (bx - ax)): the numerator, and bx - ax.
+// y = (ay 2 (bx - ax) + (by - ay) (u + v - 2 ax)) / (2 (bx - ax)): the numerator, and w = bx - ax; t is scratch.
 static void height(mpfr_t y, mpfr_t w, mpfr_t t, const double *a, const double *b, double u, double v)
 {
+  difference(y, b[1], a[1]);
+  difference(t, u, a[0]);
+  mpfr_add_d(t, t, v, MPFR_RNDN);
+  mpfr_sub_d(t, t, a[0], MPFR_RNDN);
+  mpfr_mul(y, y, t, MPFR_RNDN);
   difference(w, b[0], a[0]);
-  mpfr_mul_d(y, w, a[1], MPFR_RNDN);
-  mpfr_mul_ui(y, y, 2, MPFR_RNDN);
-  mpfr_set_d(t, u, MPFR_RNDN);
-  mpfr_add_d(t, t, v, MPFR_RNDN);
-  mpfr_sub_d(t, t, a[0], MPFR_RNDN);
-  mpfr_sub_d(t, t, a[0], MPFR_RNDN);
-  mpfr_mul_d(t, t, b[1], MPFR_RNDN);
+  mpfr_mul_d(t, w, a[1], MPFR_RNDN);
+  mpfr_mul_ui(t, t, 2, MPFR_RNDN);
   mpfr_add(y, y, t, MPFR_RNDN);
-  mpfr_set_d(t, u, MPFR_RNDN);
-  mpfr_add_d(t, t, v, MPFR_RNDN);
-  mpfr_sub_d(t, t, a[0], MPFR_RNDN);
-  mpfr_sub_d(t, t, a[0], MPFR_RNDN);
-  mpfr_mul_d(t, t, a[1], MPFR_RNDN);
-  mpfr_sub(y, y, t, MPFR_RNDN);
 }
 
 int segments_order_at_mp(const double *a, const double *b, const double *c, const double *d, double u, double v)
