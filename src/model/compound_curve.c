@@ -59,6 +59,7 @@ static void look_around(Joiner *j)
   Model *m = j->m;
   for (size_t k = 0; k < model_curves(m); k++) {
     Curve *c = model_curve_at(m, k);
+    if (c->dissolved) continue;
     add_end(j, c, c->begin);
     add_end(j, c, c->end);
     if (c->periodic_master) keep_alone(j, c->periodic_master);

@@ -161,6 +161,11 @@ check "the script may refine the mesh" area_of_all 1.93547 2e-2
 mesh "$wall Mesh 2; RefineMesh; Point(8)={1,.5,0,.3}; Point{8} In Surface{1}; Mesh 2;"
 check "the script may go on" [ "$(lines_of 1) $(lines_of 2)" = "7 0" ]
 
+name="curves along united faces"
+mesh "$strips Compound Curve{1,2,3};" -save_all
+check "go on where the curve between the faces dissolves" [ "$(lines_of 1) $(lines_of 2) $(lines_of 3)" = "14 0 0" ]
+check "and the mesh passes the audit" "$MESHGEN" check a.msh
+
 # ---- subdivision and order ----
 name="all quadrangles"
 mesh "$square" -setnumber Mesh.SubdivisionAlgorithm 1
