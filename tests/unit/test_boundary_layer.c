@@ -198,6 +198,39 @@ static void symmetric_faces_get_symmetric_layers(void **state)
   world_free(&w);
 }
 
+// A wedge with a notch in its back, in a box: mirrored by y -> -y, in the corner of the notch too, where columns lean on each other.
+static void a_notch_is_symmetric(void **state)
+{
+  (void)state;
+  World w;
+  world_init(&w);
+  const Vec2 box[4] = {{-2, -2}, {4, -2}, {4, 2}, {-2, 2}}, wedge[4] = {{0, 0.3}, {0.3, 0}, {0, -0.3}, {2, 0}};
+  int loop[2], first;
+  polygon(&w, box, 4, 0.3, &loop[0]);
+  first = polygon(&w, wedge, 4, 0.08, &loop[1]);
+  model_add_face(w.m, FACE_PLANE, 1, loop, 2, NO_LOC, w.diag);
+  const double curves[4] = {first, first + 1, first + 2, first + 3}, fans[3] = {5, 7, 8};
+  list(&w, "CurvesList", curves, 4);
+  list(&w, "FanPointsList", fans, 3);
+  number(&w, "Size", 0.01);
+  number(&w, "Ratio", 1.2);
+  number(&w, "Thickness", 0.2);
+  number(&w, "Quads", 1);
+  assert_int_equal(mesh_it(&w), 0);
+  int bad = 0;
+  (void)area_of(&w, &bad);
+  assert_int_equal(bad, 0);
+  const FaceMesh *f = &w.face[0];
+  assert_true(f->nquad > 400);
+  for (size_t k = 0; k < 4 * f->nquad; k++) {
+    Vec3 q = node(&w, f->quad[k]), mirrored = {q.x, -q.y, 0};
+    double best = INFINITY;
+    for (size_t l = 0; l < 4 * f->nquad; l++) best = fmin(best, vec3_distance(node(&w, f->quad[l]), mirrored));
+    assert_true(best < 1e-12);
+  }
+  world_free(&w);
+}
+
 // Around a square hole with fans at its corners: columns all round the corner, of full height.
 static void fans_turn_round_corners(void **state)
 {
@@ -406,6 +439,7 @@ int main(void)
       cmocka_unit_test(heights_follow_the_laws),
       cmocka_unit_test(a_wall_has_the_heights_asked_for),
       cmocka_unit_test(symmetric_faces_get_symmetric_layers),
+      cmocka_unit_test(a_notch_is_symmetric),
       cmocka_unit_test(fans_turn_round_corners),
       cmocka_unit_test(narrow_gaps_keep_the_first_height),
       cmocka_unit_test(corners_with_room_are_mitred),
