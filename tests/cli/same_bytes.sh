@@ -17,3 +17,12 @@ for e in msh vtk svg; do same "-O0 and -O3: $e" a.$e d.$e; done
 check "build with clang" build clang release clang clang++
 check "mesh with clang" mesh "$ROOT/build/clang/meshgen" e
 for e in msh vtk svg; do same "gcc and clang: $e" a.$e e.$e; done
+# Quadrangles: cross field, matching, clean-up and smoothing.
+quads() { "$1" -2 "$ROOT/geo/seed_rectangle.geo" -v 2 -no_report -setnumber Mesh.RecombineAll 1 -algo "$3" -o "$2.msh"; }
+for algorithm in front2d delquad; do
+  check "quadrangles, $algorithm" quads "$MESHGEN" q $algorithm
+  check "quadrangles, $algorithm, gcc -O0" quads "$ROOT/build/gcc-O0/meshgen" r $algorithm
+  check "quadrangles, $algorithm, clang" quads "$ROOT/build/clang/meshgen" s $algorithm
+  same "$algorithm, -O0 and -O3" q.msh r.msh
+  same "$algorithm, gcc and clang" q.msh s.msh
+done
