@@ -279,6 +279,7 @@ BlossomResult *blossom_solve(const BlossomGraph *g)
   Blossom b;
   init(&b, g);
   greedy_start(&b);
+  blossom__fractional_start(&b);
   search(&b);
   BlossomResult *r = mem_zalloc(sizeof *r);
   r->mate = mem_alloc((size_t)g->n * sizeof *r->mate);

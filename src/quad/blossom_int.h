@@ -1,4 +1,4 @@
-// blossom_int.h - the search structures of the matching solver, shared by its two files
+// blossom_int.h - the search structures of the matching solver, shared by its files
 // SPDX-License-Identifier: MIT
 #ifndef QUAD_BLOSSOM_INT_H
 #define QUAD_BLOSSOM_INT_H
@@ -130,6 +130,10 @@ static inline int64_t blossom__slack(const Blossom *b, const BlossomArc *a)
 void blossom__push(BlossomQueue *q, int64_t key, uint32_t what);
 bool blossom__pop(BlossomQueue *q, BlossomEvent *e);
 void blossom__drop(BlossomQueue *q); // all events
+
+// From a matching over tight edges, and duals that are multiples of scale / 2, to an optimal fractional matching; one vertex of
+// each odd cycle is left free.
+void blossom__fractional_start(Blossom *b);
 
 void blossom__plant(Blossom *b, uint32_t v);        // the free node that holds v becomes a sleeping tree
 void blossom__wake(Blossom *b);                     // begin a round: all trees grow, from their free nodes

@@ -61,6 +61,45 @@ void test_random_against_lemon(void **)
   }
 }
 
+// Where there are no odd cycles, the fractional start is the whole solution: no blossom is left for the search.
+void test_bipartite_needs_no_blossom(void **)
+{
+  Rng rng = {31};
+  for (int k = 0; k < 12; k++) {
+    uint32_t w = 20 + 2 * (uint32_t)k, range = k % 3 == 0 ? 0 : k % 3 == 1 ? 3 : 10000;
+    Graph g;
+    g.n = w * w;
+    for (uint32_t v = 0; v < g.n; v++) {
+      if (v % w + 1 < w) g.add(v, v + 1, (int32_t)rng_below(&rng, range + 1));
+      if (v + w < g.n) g.add(v, v + w, (int32_t)rng_below(&rng, range + 1));
+    }
+    BlossomGraph view = g.view();
+    BlossomResult *r = blossom_solve(&view);
+    assert_int_equal(r->stats.start_free, 0);
+    assert_int_equal(r->nblossom, 0);
+    blossom_free(r);
+    expect_lemon(g);
+  }
+}
+
+// Rings of odd length joined in pairs by one dear edge each: every ring is an odd cycle of the start, and a blossom in the end.
+void test_odd_rings(void **)
+{
+  Graph g;
+  for (uint32_t k = 0; k < 40; k++) {
+    uint32_t len = 3 + 2 * (k / 2 % 5), first = g.n;
+    g.n += len;
+    for (uint32_t i = 0; i < len; i++) g.add(first + i, first + (i + 1) % len, 1);
+    if (k % 2) g.add(first, first - 1, 50);
+  }
+  BlossomGraph view = g.view();
+  BlossomResult *r = blossom_solve(&view);
+  assert_int_equal(r->stats.start_free, 40);
+  assert_true(r->nblossom > 0);
+  blossom_free(r);
+  expect_lemon(g);
+}
+
 void test_meshes_against_lemon(void **)
 {
   for (uint32_t k = 0; k < 24; k++) expect_lemon(mesh_graph(4 + 2 * k, 0.002 * (k % 5), k % 3 == 2 ? 0.5 : 0, k));
@@ -163,6 +202,7 @@ int main(void)
       cmocka_unit_test(test_brute_force),          cmocka_unit_test(test_random_against_lemon),
       cmocka_unit_test(test_meshes_against_lemon), cmocka_unit_test(test_large_mesh_is_certified),
       cmocka_unit_test(test_barrier),              cmocka_unit_test(test_check_refuses),
+      cmocka_unit_test(test_bipartite_needs_no_blossom), cmocka_unit_test(test_odd_rings),
       cmocka_unit_test(test_empty),                cmocka_unit_test(test_long),
   };
   return unit_run(tests);
