@@ -100,8 +100,8 @@ static void drop_duplicates(double *xy, uint32_t *order, uint32_t *key, size_t n
 
 // ---- parts --------------------------------------------------------------------------------------------------------
 
-// The upper part of the tree of cells, the same for any number of threads. Its leaves are built one by one, then the halves of
-// each level are joined from the lowest up.
+// The upper part of the tree of cells: one leaf for one thread, else enough to go round. Its leaves are built one by one, then
+// the halves of each level are joined from the lowest up. Where it is cut makes no difference to the triangulation.
 enum { MAX_NODES = 512, MAX_DEPTH = 12, TASKS = 16, SMALL_TASK = 2048 };
 
 typedef struct {
