@@ -55,6 +55,7 @@ typedef struct {
   int16_t *excess;  // edges more than six; 0 on segments
   bool keep_sizes;  // a vertex that moves keeps its size: for trials, which the size field would make slow
   double floor;     // 1/kappa_4^2 that a triangle may rise to while its star gets better
+  double worst;     // 1/kappa_4^2 of the worst triangle before the optimization
 
   // The cavity being built.
   double at[2];
@@ -135,5 +136,28 @@ void refine__added_vertex(Refiner *r, VertId v, double size, double carried);
 // About 100 us for a triangle. Collapses leave isolated vertices.
 void refine__rework(Refiner *r, double least, size_t most, int rounds);
 void refine__optimize(Refiner *r, int level);
+
+// ---- tri_field.c
+// The size that extends from the boundary, linear on the empty mesh: it does not depend on the order of insertions.
+typedef struct {
+  Tri empty;
+  double *size; // at its vertices; NULL: no size extends
+} RefineField;
+void refine__field_take(RefineField *f, const Refiner *r); // before the first insertion
+void refine__field_free(RefineField *f);
+double refine__field_at(RefineField *f, const double *p); // INFINITY where no size extends
+// Value at p of what is linear on triangle t, within the values at its corners.
+double refine__linear(const Tri *m, const double *at_vertex, TriId t, const double *p);
+
+// ---- tri_polish.c
+enum { REFINE_POLISHED = 3000 }; // slots for triangles of a face that is small
+typedef struct {
+  double cost;  // for choosing among several meshes of a face
+  double worst; // 1/kappa_4^2
+} PolishedMesh;
+// For small faces: vertices moved, edges flipped, collapsed and split by trial for the mean shape, the efficiency index and the
+// smallest angle of the whole, until nothing helps or `budget` positions of vertices have been measured (0.1 us each). Operations may
+// make triangles as bad as gamma 0.7; strict: none worse than r->worst either. Collapses leave isolated vertices.
+PolishedMesh refine__polish(Refiner *r, RefineField *field, bool strict, uint64_t budget);
 
 #endif

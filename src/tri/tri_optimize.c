@@ -289,6 +289,7 @@ void refine__prepare(Refiner *r, VertId given)
     if (v < given || m->hint[v] == NONE) r->fixed[v] = true;
   // A triangle may get worse while its star gets better, down to 0.9, but none below the worst of all.
   r->floor = worst < 0.9 ? 1 / 0.9 : 1 / worst;
+  r->worst = 1 / worst;
   count_excess(r);
 }
 
@@ -311,7 +312,7 @@ void refine__optimize(Refiner *r, int level)
   }
   double mended = valences ? 0.8 : 0.66;
   for (int k = 0; k < 2 * level && mend_worst(r, mended); k++) continue;
-  // Small faces are nearly all boundary: there everything is tried. In large ones the cost stays out of sight.
-  if (r->m->nt < SMALL_FACE) refine__rework(r, 0.92, REWORKED, 3 + 3 * level);
-  else refine__rework(r, mended, REWORKED, 2);
+  // Small faces are polished afterwards. In large ones only what mending left is tried, that the cost stays out of sight.
+  if (r->m->nt >= SMALL_FACE) refine__rework(r, mended, REWORKED, 2);
+  else if (r->m->nt >= REFINE_POLISHED) refine__rework(r, 0.87, REWORKED, 2 + level);
 }

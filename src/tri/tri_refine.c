@@ -62,18 +62,7 @@ double refine__size_at(Refiner *r, const double *p, TriId t, double *carried)
 {
   double h = INFINITY;
   *carried = 0;
-  if (r->carried) {
-    const Tri *m = r->m;
-    const uint32_t *v = m->vert + 3 * (size_t)t;
-    const double *a = tri_xy(m, v[0]), *b = tri_xy(m, v[1]), *c = tri_xy(m, v[2]);
-    double x = b[0] - a[0], y = b[1] - a[1], u = c[0] - a[0], w = c[1] - a[1], s = p[0] - a[0], q = p[1] - a[1];
-    double d = 1 / (x * w - y * u), f = (s * w - q * u) * d, g = (x * q - y * s) * d;
-    double ha = r->carried[v[0]], hb = r->carried[v[1]], hc = r->carried[v[2]];
-    h = ha + f * (hb - ha) + g * (hc - ha);
-    // p may lie outside of t, and rounding makes weights below 0: the sizes at the corners bound what comes out.
-    h = fmax(fmin(ha, fmin(hb, hc)), fmin(h, fmax(ha, fmax(hb, hc))));
-    *carried = h;
-  }
+  if (r->carried) *carried = h = refine__linear(r->m, r->carried, t, p);
   if (r->p->size) h = fmin(h, ask_size(r, p));
   return h;
 }
@@ -216,6 +205,137 @@ static void clear_user_bits(Tri *m)
   for (TriId t = 0; t < m->nt; t++) m->flag[t] &= (uint8_t)~(REFINE_SMALL | REFINE_STUCK);
 }
 
+
+// Faces of fewer than REFINE_POLISHED triangles are polished; those of fewer than REPEATED are made three times, with the sizes as they are, a
+// tenth smaller and a tenth larger, and the best is kept: with so few triangles, chance decides how well they fit.
+enum { REPEATED = 300, POLISH_WORK = 16000 };
+
+typedef struct {
+  SizeAt size;
+  void *ctx;
+  double scale;
+} ScaledSize;
+
+static double scaled_size(void *ctx, Vec2 p)
+{
+  const ScaledSize *s = ctx;
+  return s->scale * s->size(s->ctx, p);
+}
+
+static bool is_lattice(const TriRefineParams *p)
+{
+  return p->algorithm == REFINE_FRONT_QUAD || p->algorithm == REFINE_PACK;
+}
+
+static void place_vertices(Refiner *r, VertId given)
+{
+  Tri *m = r->m;
+  free(m->hint); // insertion need not keep it up
+  m->hint = NULL;
+  clear_user_bits(m);
+  switch (r->p->algorithm) {
+  case REFINE_EMPTY: break;
+  case REFINE_ADAPT: refine__saturate(r); break;
+  case REFINE_DELAUNAY: refine__delaunay(r, REFINE_LIMIT_SIZE); break;
+  case REFINE_FRONTAL: refine__frontal(r); break;
+  case REFINE_FRONT_QUAD: refine__front_quad(r, false); break;
+  case REFINE_PACK: refine__front_quad(r, true); break;
+  }
+  clear_user_bits(m);
+  refine__renumber(r, given);
+  refine__prepare(r, given);
+  if (r->p->algorithm == REFINE_ADAPT && r->stats->outcome == REFINE_DONE) {
+    refine__adapt(r);
+    refine__renumber(r, given);
+    refine__prepare(r, given);
+  }
+  if (r->p->algorithm == REFINE_EMPTY || r->stats->outcome == REFINE_CANCELLED) return;
+  if (!is_lattice(r->p)) refine__smooth(r, r->p->smoothing); // these have been smoothed their own way
+  refine__optimize(r, r->p->optimize);
+}
+
+static double *copied(const double *x, size_t n)
+{
+  double *y = x ? mem_alloc(n * sizeof *y) : NULL;
+  if (x) memcpy(y, x, n * sizeof *y);
+  return y;
+}
+
+// The mesh out of the empty one, its vertices placed by `scale` times the sizes. Its cost is INFINITY if it was not polished.
+static PolishedMesh attempt(Refiner *r, VertId given, double scale, bool strict)
+{
+  const TriRefineParams *p = r->p;
+  TriRefineParams scaled = *p;
+  ScaledSize size = {p->size, p->size_ctx, scale};
+  RefineField field;
+  PolishedMesh out = {INFINITY, INFINITY};
+  initial_sizes(r);
+  refine__field_take(&field, r);
+  double *wanted = copied(r->size, given);
+  if (scale != 1) {
+    if (p->size) scaled.size = scaled_size, scaled.size_ctx = &size;
+    for (VertId v = 0; v < given; v++) {
+      r->size[v] *= scale;
+      if (r->carried) r->carried[v] *= scale;
+    }
+    r->p = &scaled;
+  }
+  place_vertices(r, given);
+  r->p = p;
+  memcpy(r->size, wanted, given * sizeof *wanted);
+  bool finished = p->algorithm != REFINE_EMPTY && !is_lattice(p) && r->stats->outcome == REFINE_DONE;
+  if (finished && p->optimize > 0 && r->m->nt < REFINE_POLISHED) out = refine__polish(r, &field, strict, POLISH_WORK);
+  if (r->stats->collapses) refine__drop_isolated(r, given);
+  refine__field_free(&field);
+  free(wanted);
+  return out;
+}
+
+static void release(Refiner *r)
+{
+  free(r->size), free(r->carried), free(r->fixed), free(r->awake), free(r->excess);
+  vec_free(&r->rim), vec_free(&r->dead), vec_free(&r->stack);
+}
+
+// Another attempt at the face whose mesh r has, from the empty mesh `start`. It takes the place of r's if it costs less than *cost and
+// its worst triangle is not above `worst`.
+static void try_again(Refiner *r, const Tri *start, VertId given, double scale, bool strict, double worst, double *cost)
+{
+  Tri m;
+  tri_copy(&m, start);
+  TriRefineStats stats = {.outcome = REFINE_DONE, .split = r->stats->split};
+  Refiner other = {.m = &m, .p = r->p, .stats = &stats, .max_vertices = r->max_vertices};
+  PolishedMesh made = attempt(&other, given, scale, strict);
+  if (made.cost < *cost && made.worst <= worst) {
+    *cost = made.cost;
+    Tri swap = *r->m;
+    *r->m = m, m = swap;
+    *r->stats = stats;
+    other.m = r->m, other.stats = r->stats;
+    Refiner worse = *r;
+    *r = other, other = worse;
+  }
+  release(&other);
+  tri_free(&m);
+}
+
+// The best of several attempts. None that is kept has a triangle worse than the worst that the first one began to optimize.
+static void make_mesh(Refiner *r, VertId given)
+{
+  Tri start;
+  tri_copy(&start, r->m);
+  PolishedMesh first = attempt(r, given, 1, false);
+  if (isfinite(first.cost)) {
+    double worst = r->worst, cost = first.worst <= worst ? first.cost : INFINITY;
+    if (r->p->algorithm == REFINE_FRONTAL && r->m->nt < REPEATED) {
+      try_again(r, &start, given, 0.9, false, worst, &cost);
+      try_again(r, &start, given, 1.1, false, worst, &cost);
+    }
+    if (!isfinite(cost)) try_again(r, &start, given, 1, true, INFINITY, &cost);
+  }
+  tri_free(&start);
+}
+
 TriRefineStats tri_refine(Tri *m, const TriRefineParams *p)
 {
   TriRefineStats stats = {.outcome = REFINE_DONE};
@@ -223,44 +343,17 @@ TriRefineStats tri_refine(Tri *m, const TriRefineParams *p)
   size_t cap = p->max_triangles ? p->max_triangles / 2 : TRI_MAX_VERTICES;
   Refiner r = {.m = m, .p = p, .stats = &stats, .max_vertices = MIN(cap, (size_t)TRI_MAX_VERTICES)};
   if (p->conforming) refine__conform(&r);
-  initial_sizes(&r);
   VertId given = m->nv;
-  free(m->hint); // insertion need not keep it up
-  m->hint = NULL;
-  clear_user_bits(m);
-  switch (p->algorithm) {
-  case REFINE_EMPTY: break;
-  case REFINE_ADAPT: refine__saturate(&r); break;
-  case REFINE_DELAUNAY: refine__delaunay(&r, REFINE_LIMIT_SIZE); break;
-  case REFINE_FRONTAL: refine__frontal(&r); break;
-  case REFINE_FRONT_QUAD: refine__front_quad(&r, false); break;
-  case REFINE_PACK: refine__front_quad(&r, true); break;
-  }
-  clear_user_bits(m);
-  refine__renumber(&r, given);
-  refine__prepare(&r, given);
-  if (p->algorithm == REFINE_ADAPT && stats.outcome == REFINE_DONE) {
-    refine__adapt(&r);
-    refine__renumber(&r, given);
-    refine__prepare(&r, given);
-  }
-  bool lattice = p->algorithm == REFINE_FRONT_QUAD || p->algorithm == REFINE_PACK;
-  if (p->algorithm != REFINE_EMPTY && stats.outcome != REFINE_CANCELLED) {
-    if (!lattice) refine__smooth(&r, p->smoothing); // these have been smoothed their own way
-    size_t before = stats.collapses;
-    refine__optimize(&r, p->optimize);
-    if (stats.collapses > before) refine__drop_isolated(&r, given);
-  }
+  make_mesh(&r, given);
   if (p->min_angle > 0 && stats.outcome == REFINE_DONE) {
     tri_legalize_all(m);
     refine__min_angle(&r, p->min_angle, given);
   }
   m->last = 0;
-  if (p->sizes_out)
+  if (p->sizes_out) {
     *p->sizes_out = r.size;
-  else
-    free(r.size);
-  free(r.carried), free(r.fixed), free(r.awake), free(r.excess);
-  vec_free(&r.rim), vec_free(&r.dead), vec_free(&r.stack);
+    r.size = NULL;
+  }
+  release(&r);
   return stats;
 }

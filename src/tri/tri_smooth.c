@@ -1,23 +1,12 @@
 // tri_smooth.c - vertex repositioning: every vertex toward where the triangles around it are best
 // SPDX-License-Identifier: MIT
 #include "base/base.h"
-#include "tri/refine_int.h"
-
-enum { MAX_RING = 32 }; // vertices with more neighbours stay where they are
+#include "tri/tri_star.h"
 
 // How much the lengths of edges count against the shapes of triangles, in the worth of a position and in the ideal one.
 // They let the efficiency index gain without the shapes losing.
 #define LENGTH_WEIGHT 1.0
 #define LENGTH_PULL 0.3
-
-// The star of an interior vertex v, for trying positions: its neighbours counterclockwise, the first again at the end.
-typedef struct {
-  int n;
-  VertId id[MAX_RING + 1];
-  double x[MAX_RING + 1], y[MAX_RING + 1];
-  double inv[MAX_RING + 1]; // half of 1/h there
-  double base[MAX_RING];    // length of the side from neighbour j to j+1
-} Star;
 
 // What a position is worth, the less the better: the sum of 1/kappa_4^2 over the star and of l + 1/l - 2 over its edges; the
 // largest 1/kappa_4^2; by what factor the edge worst in that is out of [2/3, 4/3], 1 if none is. Infinite if a triangle is not
@@ -25,29 +14,6 @@ typedef struct {
 typedef struct {
   double sum, worst, range;
 } Worth;
-
-static bool gather(const Refiner *r, VertId v, Star *s)
-{
-  const Tri *m = r->m;
-  EdgeId first = m->hint[v], e = first;
-  int n = 0;
-  do {
-    if (n == MAX_RING) return false;
-    VertId u = tri_dest(m, e);
-    s->id[n] = u;
-    s->x[n] = m->xy[2 * (size_t)u], s->y[n] = m->xy[2 * (size_t)u + 1];
-    s->inv[n] = 0.5 / r->size[u];
-    n++;
-    e = tri_ccw(m, e);
-  } while (e != first);
-  s->n = n;
-  s->id[n] = s->id[0], s->x[n] = s->x[0], s->y[n] = s->y[0], s->inv[n] = s->inv[0];
-  for (int j = 0; j < n; j++) {
-    double u = s->x[j + 1] - s->x[j], w = s->y[j + 1] - s->y[j];
-    s->base[j] = sqrt(u * u + w * w);
-  }
-  return true;
-}
 
 static Worth worth(const Star *s, double px, double py, double h, double *each)
 {
@@ -129,9 +95,9 @@ static void move(Refiner *r, const Star *s, VertId v, const double *p, double h)
 bool refine__relocate(Refiner *r, VertId v)
 {
   Star s;
-  double each[MAX_RING], p[2];
+  double each[STAR_RING], p[2];
   const double x = r->m->xy[2 * (size_t)v], y = r->m->xy[2 * (size_t)v + 1];
-  if (!gather(r, v, &s)) return false;
+  if (!star_gather(r, v, &s)) return false;
   Worth w = worth(&s, x, y, r->size[v], each);
   ideal(&s, r->size[v], each, p);
   double limit = w.worst > r->floor ? w.worst : r->floor;
@@ -153,7 +119,7 @@ bool refine__relocate_worst(Refiner *r, VertId v)
   static const double way[8][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {.7, .7}, {-.7, .7}, {-.7, -.7}, {.7, -.7}};
   Star s;
   double p[2] = {r->m->xy[2 * (size_t)v], r->m->xy[2 * (size_t)v + 1]}, step = 0.2 * r->size[v];
-  if (!gather(r, v, &s)) return false;
+  if (!star_gather(r, v, &s)) return false;
   Worth first = worth(&s, p[0], p[1], r->size[v], NULL);
   double best = first.worst;
   bool moved = false;

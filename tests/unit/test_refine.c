@@ -185,6 +185,51 @@ static void test_optimization_never_worsens_the_worst(void **state)
 static double wave(void *ctx, Vec2 p) { return *(double *)ctx * (0.1 + 0.08 * sin(3 * p.x) * cos(6 * p.y)); }
 static double constant(void *ctx, Vec2 p) { return (void)p, *(double *)ctx; }
 
+// The share of tau in the cost is measured by the sizes at the vertices, which these meshes take from their boundary.
+static double efficiency(const Tri *m, const double *size)
+{
+  double sum = 0, n = 0;
+  for (EdgeId e = 0; e < 3 * m->nt; e++) {
+    if (!tri_is_inside(m, tri_of(e))) continue;
+    VertId a = tri_org(m, e), b = tri_dest(m, e);
+    double l = hypot(tri_xy(m, a)[0] - tri_xy(m, b)[0], tri_xy(m, a)[1] - tri_xy(m, b)[1]);
+    double w = tri_is_segment(m, e) ? 1 : 0.5;
+    sum += w * quality_tau_term(l * (size[a] + size[b]) / (2 * size[a] * size[b])), n += w;
+  }
+  return exp(sum / n);
+}
+
+// Polishing (faces of some thousand triangles) and rework (larger ones) gain in the mean, in lengths or in the smallest angle, and
+// the worst triangle is never worse than behind the front.
+static void test_small_faces_are_polished(void **state)
+{
+  (void)state;
+  const double h[] = {0.2, 0.1, 0.05, 0.012}; // the last one is too large to be polished
+  const int which[] = {SQUARE, DISC, HOLES, ELL, SPIKE};
+  for (size_t i = 0; i < ARRAY_LEN(h) * ARRAY_LEN(which); i++) {
+    MeshQuality q[2];
+    double tau[2];
+    for (int level = 0; level < 2; level++) {
+      Domain d;
+      make_domain(&d, which[i / ARRAY_LEN(h)], h[i % ARRAY_LEN(h)]);
+      Tri m;
+      empty_mesh(&d, &m);
+      double area = area_inside(&m), *size = NULL;
+      TriRefineParams p = tri_refine_defaults();
+      p.optimize = p.smoothing = level, p.sizes_out = &size;
+      tri_refine(&m, &p);
+      check_mesh(&m, &d, area);
+      q[level] = measure(&m, NULL, NULL), tau[level] = efficiency(&m, size);
+      free(size);
+      tri_free(&m);
+      vec_free(&d.xy), vec_free(&d.ends);
+    }
+    assert_true(q[1].gamma_min >= q[0].gamma_min - 1e-12);
+    assert_true(q[1].angle_min >= q[0].angle_min - 0.1);
+    assert_true(tau[1] + q[1].gamma_mean >= tau[0] + q[0].gamma_mean - 1e-3);
+  }
+}
+
 static void test_quality_of_the_square(void **state)
 {
   (void)state;
@@ -487,6 +532,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(test_every_strategy_keeps_the_boundary),
       cmocka_unit_test(test_optimization_never_worsens_the_worst),
+      cmocka_unit_test(test_small_faces_are_polished),
       cmocka_unit_test(test_quality_of_the_square),
       cmocka_unit_test(test_sizes_of_a_field_are_met),
       cmocka_unit_test(test_a_small_dip_of_the_field_is_not_missed),
