@@ -303,7 +303,11 @@ void refine__optimize(Refiner *r, int level)
   // Valence repair costs as much as the insertion where half of the vertices are irregular, next to nothing behind a front.
   bool valences = level > 1 || r->p->algorithm == REFINE_FRONTAL;
   int rounds = level > 1 ? 8 : valences ? 2 : 0;
-  if (rounds == 0) refine__flips(r);
+  if (rounds == 0) {
+    refine__flips(r);
+    refine__smooth(r, 1);
+    refine__flips(r);
+  }
   for (int k = 0; k < rounds; k++) {
     size_t flips = refine__flips(r) + repair_valences(r);
     size_t moves = r->stats->moves;

@@ -232,6 +232,7 @@ def main():
     ap.add_argument("--only", default="")
     ap.add_argument("--list", type=int, default=0, help="print this many of the worst faces per measure")
     opt = ap.parse_args()
+    if opt.cache: os.makedirs(opt.cache, exist_ok=True)
     jobs = []
     for p in opt.paths:
         p, _, scale = p.partition("@")
