@@ -281,7 +281,9 @@ def main():
 def why(r, k):
     if k == 2 and r["us"][2] >= r["corner"] - 0.1:
         return "the corner between two boundary edges is no larger"
-    return "not the boundary's doing; %d triangles against %d" % r["n"]
+    if r["n"][0] != r["n"][1]:
+        return "another number of triangles, %d against %d, weighs the four figures otherwise" % r["n"]
+    return "as many triangles, %d, placed for the other figures" % r["n"][0]
 
 
 def write_page(path, every, reasons):
