@@ -276,7 +276,7 @@ def recombine_one(job):
             kept = KEEPS.findall(err)
             odd = all(int(n) == 1 and "odd" in why for _, n, why in kept)
             refuses = re.search(r"^\s*Mesh\.RecombineAll\s*=\s*0", open(path, encoding="latin-1").read(), re.M) and not mine["quads"]
-            row["pass"] = bool(refuses) or method == 0 or (odd and mine["triangles"] <= len(kept))
+            row["pass"] = bool(refuses) or method == 0 or mine["triangles"] == 0 or (odd and mine["triangles"] <= len(kept))
             if method and mine["triangles"]:
                 row["note"] = "; ".join("surface %s: %s, %s" % k for k in kept)[:110] or ("the script asks for triangles" if refuses else "triangles without a word")
     except subprocess.TimeoutExpired:

@@ -147,14 +147,16 @@ bool face_quads(const Tri *t, const FaceGraph *g, const FaceMap *map, const Opti
     quad_mesh_free(&w.mesh);
     return false;
   }
-  if (report.triangles && p.algorithm != QUAD_GREEDY)
+  bool said = p.algorithm != QUAD_GREEDY && o->Mesh_SubdivisionAlgorithm != 1; // which splits them all
+  if (report.triangles && said)
     diag_warning(diag, map->face->loc, "surface %d keeps %zu triangle%s: %s", map->face->tag, report.triangles,
                  report.triangles == 1 ? "" : "s",
                  report.cut                              ? "quadrangles there would not be convex"
                  : report.triangles > report.odd_parts ? "there are no pairs that would be convex quadrangles"
                                                          : "its boundary has an odd number of edges");
-  if (out->ntri && p.algorithm != QUAD_GREEDY)
-    diag_warning(diag, map->face->loc, "surface %d keeps %zu triangles: tips of the fans of its boundary layers", map->face->tag, out->ntri);
+  if (out->ntri && said)
+    diag_warning(diag, map->face->loc, "surface %d keeps %zu triangle%s: tips of the fans of its boundary layers", map->face->tag,
+                 out->ntri, out->ntri == 1 ? "" : "s");
   out->matching_seconds = report.matching_seconds;
   uint32_t *id = number_vertices(&w, base, out);
   put_elements(&w.mesh, id, out);
