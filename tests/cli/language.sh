@@ -101,7 +101,9 @@ check "elements look outwards" awk '
 cp a.msh first.msh
 check "unrolled" "$MESHGEN" -0 a.geo -o b.geo
 check "and meshed again" "$MESHGEN" -2 b.geo -format msh2 -o b.msh
-check "it is the same patch" sh -c "'$MESHGEN' -2 b.geo -o b.msh | grep -q '64 lines, 60[0-9] triangles'"
+"$MESHGEN" -2 b.geo -o b.msh | sed -n '1s/.*: //p' >b.txt
+"$MESHGEN" -2 a.geo -o a.msh | sed -n '1s/.*: //p' >a.txt
+same "it is the same patch" a.txt b.txt
 name="a grid on a sphere"
 mesh "$polar Transfinite Curve{:}=9; Transfinite Surface{1}; Recombine Surface{1};"
 prints "64 quadrangles" "transfinite in the plane of the projection"
