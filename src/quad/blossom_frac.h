@@ -11,15 +11,9 @@ typedef struct {
   uint32_t start; // first of its arcs
   uint32_t match; // matched arc, from the vertex; NONE if it is free or on an odd cycle
   uint32_t pred;  // inner: arc to the outer vertex above it; on an odd cycle: arc to the next vertex; free: NONE
-  union {
-    uint32_t tree; // outer or inner: root of its tree
-    uint32_t mark; // while settling: stamp of its distance; larger than any vertex
-  };
-  union {
-    uint32_t link; // outer: next outer vertex of its tree
-    uint32_t dist; // while settling: matched edges between it and the nearest single vertex or odd cycle
-  };
-  int32_t sign;    // BlossomSign; mates are inner and outer, or both idle
+  uint32_t tree;  // outer or inner: root of its tree
+  uint32_t link;  // outer: next outer vertex of its tree
+  int32_t sign;   // BlossomSign; mates are inner and outer, or both idle
 } FracVertex;
 
 typedef struct {
@@ -31,7 +25,6 @@ typedef struct {
   uint32_t ntree;    // trees alive
   U32Vec list;       // breadth-first order of a search; `read` of them are done
   size_t read;
-  uint32_t stamp;
   BlossomQueue *queue;
   BlossomStats *stats;
 } Frac;
