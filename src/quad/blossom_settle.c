@@ -1,14 +1,15 @@
 // blossom_settle.c - free vertices are brought together over tight edges
 // SPDX-License-Identifier: MIT
 //
-// A free vertex moves over a tight edge and the matched edge behind it: the two are exchanged. Here all of them move towards
-// each other at once, along distances found by one breadth-first search; those whose aim another one took first are
-// stuck where it was, and much nearer to the next one when the distances are made anew.
+// A free vertex moves over a tight edge and the matched edge behind it: the two are exchanged. Here all of them
+// move towards each other at once, along distances found by one breadth-first search; those whose aim another one
+// took first are stuck where it was, and much nearer to the next one when the distances are made anew. The search
+// waits for memory more than for anything; so it works on a copy of mates and tight edges, which is much smaller.
 #include "base/base.h"
 #include "quad/blossom_frac.h"
 
-// What a search needs of a vertex. Its level is `base` + the number of matched edges between it and the nearest single vertex or
-// odd cycle; less than `base`: not reached.
+// What a search needs of a vertex. Its level is `base` + the number of matched edges between it and the nearest
+// single vertex or odd cycle; less than `base`: not reached.
 typedef struct {
   uint32_t mate;  // NONE: free, or on an odd cycle
   uint32_t level; // ON_CYCLE: no search enters it
@@ -18,7 +19,7 @@ typedef struct {
 
 typedef struct {
   SettleVertex *v;
-  uint32_t *start; // n + 1: tight edges of v lead to head[start[v]] .. head[start[v + 1] - 1]; duals stay, and so do these
+  uint32_t *start; // n + 1: tight edges of v lead to head[start[v]] .. head[start[v + 1] - 1]
   uint32_t *head;
   uint32_t base, next_base; // levels of the present search, and of the next one
   U32Vec root;  // free vertices that may still find a partner
@@ -27,7 +28,8 @@ typedef struct {
   U32Vec trace; // unmatched arcs a free vertex has moved over
 } Settle;
 
-// A search gives up when it has gone on for GIVE_UP times its way to the last free vertex reached, and n / SURE_PART.
+// A search gives up when it has gone on for GIVE_UP times its way to the last free vertex reached, and
+// n / SURE_PART.
 enum { GIVE_UP = 2, SURE_PART = 64 };
 
 static bool tight(const Frac *f, uint32_t a) { return frac__slack(f, a) == 0; }
@@ -86,7 +88,7 @@ static inline void spread(Frac *f, Settle *s, uint32_t x, uint32_t level)
   }
 }
 
-// Levels never run out: all are given back before.
+// A new range of levels; all are given back before they run out.
 static void start_levels(const Frac *f, Settle *s)
 {
   if (s->next_base >= ON_CYCLE - f->n - 1) {
@@ -97,7 +99,7 @@ static void start_levels(const Frac *f, Settle *s)
   s->base = s->next_base;
 }
 
-// Distances to single vertices and odd cycles; s->near. list: mates of what was reached, in the order of a breadth-first search.
+// Distances to single vertices and odd cycles; s->near. list: mates of what was reached, in breadth-first order.
 static void measure(Frac *f, Settle *s, bool all)
 {
   start_levels(f, s);
@@ -108,7 +110,8 @@ static void measure(Frac *f, Settle *s, bool all)
     if (frac__on_cycle(&f->v[s->cycle.data[k]])) spread(f, s, s->cycle.data[k], s->base);
   size_t last = f->list.len, end = last, found = s->near.len, sure = f->n / SURE_PART;
   uint32_t level = s->base + 1;
-  for (size_t k = 0; k < f->list.len && s->near.len < s->root.len && (all || k < GIVE_UP * last + sure); k++) {
+  for (size_t k = 0; k < f->list.len && s->near.len < s->root.len; k++) {
+    if (!all && k >= GIVE_UP * last + sure) break;
     if (k == end) {
       end = f->list.len;
       level++;
@@ -123,6 +126,7 @@ static void measure(Frac *f, Settle *s, bool all)
   f->stats->settle += f->list.len;
 }
 
+// frac__match and frac__open_cycle, kept in step in the copy.
 static void match(const Frac *f, const Settle *s, uint32_t a)
 {
   uint32_t u = f->arc[a].tail, w = f->arc[a].head;
@@ -139,7 +143,7 @@ static void open_cycle(const Frac *f, const Settle *s, uint32_t w)
     s->v[x] = (SettleVertex){.mate = frac__mate(f, x)};
 }
 
-// Move the free vertex x over ever smaller distances. Returns where it is stuck, or NONE if it has a partner now.
+// Move the free vertex x over ever smaller distances. Returns where it is stuck, or NONE if it has a partner.
 static uint32_t walk(const Frac *f, Settle *s, uint32_t x)
 {
   vec_clear(&s->trace);
@@ -166,6 +170,7 @@ static uint32_t walk(const Frac *f, Settle *s, uint32_t x)
   }
 }
 
+// v is on an odd cycle now, and `pred` leads to the next vertex.
 static void close_at(const Frac *f, Settle *s, uint32_t v, uint32_t pred)
 {
   f->v[v].pred = pred;
