@@ -1,15 +1,16 @@
 // blossom_settle.c - free vertices are brought together over tight edges
 // SPDX-License-Identifier: MIT
 //
-// A free vertex moves over a tight edge and the matched edge behind it: the two are exchanged. Here all of them
-// move towards each other at once, along distances found by one breadth-first search; those whose aim another one
-// took first are stuck where it was, and much nearer to the next one when the distances are made anew. The search
-// waits for memory more than for anything; so it works on a copy of mates and tight edges, which is much smaller.
+// A free vertex moves over a tight edge and the matched edge behind it: the two are exchanged. Here all of
+// them move towards each other at once, along distances found by one breadth-first search; those whose aim
+// another one took first are stuck where it was, and much nearer to the next one when the distances are made
+// anew. The search waits for memory more than for anything; so it works on a copy of mates and tight edges,
+// which is much smaller.
 #include "base/base.h"
 #include "quad/blossom_frac.h"
 
-// What a search needs of a vertex. Its level is `base` + the number of matched edges between it and the nearest
-// single vertex or odd cycle; less than `base`: not reached.
+// What a search needs of a vertex. Its level is `base` + the number of matched edges between it and the
+// nearest single vertex or odd cycle; less than `base`: not reached.
 typedef struct {
   uint32_t mate;  // NONE: free, or on an odd cycle
   uint32_t level; // ON_CYCLE: no search enters it
@@ -99,7 +100,8 @@ static void start_levels(const Frac *f, Settle *s)
   s->base = s->next_base;
 }
 
-// Distances to single vertices and odd cycles; s->near. list: mates of what was reached, in breadth-first order.
+// Distances to single vertices and odd cycles; s->near. list: mates of what was reached, in breadth-first
+// order.
 static void measure(Frac *f, Settle *s, bool all)
 {
   start_levels(f, s);
