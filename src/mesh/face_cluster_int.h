@@ -5,7 +5,7 @@
 
 #include "mesh/face_cluster.h"
 
-// Label the regions into which segments cut the plane and find the face that each belongs to. False, and an error, if faces overlap.
+// Label the regions into which segments cut the plane and find the face that each belongs to. False if faces overlap.
 bool face_cluster__regions(FaceCluster *c);
 
 // Place of vertex v in space.

@@ -83,11 +83,11 @@ static bool claim_regions(FaceCluster *p, size_t k, const RegionEdges *edges, co
   U32Vec stack = {0};
   vec_push(&stack, 0);
   side[0] = 0;
-  uint32_t other = NONE;
+  bool good = true;
   while (stack.len) {
     uint32_t r = vec_pop(&stack);
     if (side[r]) {
-      if (p->owner[r] != NONE) other = p->owner[r];
+      good = good && p->owner[r] == NONE;
       p->owner[r] = (uint32_t)k;
     }
     for (size_t i = begin[r]; i < begin[r + 1]; i++) {
@@ -100,10 +100,7 @@ static bool claim_regions(FaceCluster *p, size_t k, const RegionEdges *edges, co
   vec_free(&stack);
   free(side);
   map_free(&odd);
-  if (other == NONE) return true;
-  diag_error(p->diag, f->loc, "surfaces %d and %d overlap; they cannot be refined together",
-             model_face_at(p->in->model, p->face.data[other])->tag, f->tag);
-  return false;
+  return good;
 }
 
 bool face_cluster__regions(FaceCluster *p)

@@ -381,7 +381,7 @@ UNREACHED = [
     # guards
     "the indices of the vertices add up",
     "curve %d is defined here", "a node whose coordinates are not finite", "surface %d has no area", "surface %d has too many nodes",
-    "curve %d copies the mesh of curve %d", "go on splitting them for each other", "overlap; they cannot be refined",
+    "curve %d copies the mesh of curve %d", "go on splitting them for each other",
     "its nodes come in another order", "has no room for its boundary layers", "no pairs are written", "(its corner, point %d, is not on",
 ]
 CALL = re.compile(r"\b(?:diag_error|diag_warning|diag_note|usage_error|scan_error|check__report|log_info)\s*\(")
