@@ -5,6 +5,7 @@
 #include "geom/nearest.h"
 
 #include "base/mem.h"
+#include "geom/capsule.h"
 #include "geom/hilbert.h"
 
 enum { LEAF = 8, MAX_LEVELS = 40, PIECES_PER_START = 4 };
@@ -20,16 +21,6 @@ typedef struct {
   double u0, u1;
   uint32_t curve;
 } Origin;
-
-// A ball; for the ends of pieces and of capsules.
-typedef struct {
-  double c[3], r;
-} Ball;
-
-// All places within r of the segment from a to a + d: along a chain of pieces much tighter than a box.
-typedef struct {
-  double a[3], d[3], r;
-} Capsule;
 
 // The capsules of both children of a node in one cache line. Rounding of a and d is in r, which is negative where there is no
 // piece; inverse is 1 / |d|^2.
@@ -120,70 +111,6 @@ static void sort_pieces(Nearest *n)
   free(order);
 }
 
-static double ball_gap(const Ball *b, const double c[3])
-{
-  double x = b->c[0] - c[0], y = b->c[1] - c[1], z = b->c[2] - c[2];
-  return x * x + y * y + z * z;
-}
-
-static size_t farthest(const Ball *b, size_t n, const double c[3])
-{
-  size_t best = 0;
-  double most = -1;
-  for (size_t i = 0; i < n; i++) {
-    double d2 = ball_gap(&b[i], c);
-    if (d2 > most) most = d2, best = i;
-  }
-  return best;
-}
-
-// Place along the axis (unit, from o) and squared distance from it.
-static double along(const Ball *b, const double o[3], const double axis[3], double *off2)
-{
-  double r[3], t = 0;
-  for (int i = 0; i < 3; i++) r[i] = b->c[i] - o[i], t += r[i] * axis[i];
-  *off2 = 0;
-  for (int i = 0; i < 3; i++) *off2 += (r[i] - t * axis[i]) * (r[i] - t * axis[i]);
-  return t;
-}
-
-// A narrow capsule around n > 0 balls: its axis runs along their longest extent and through the middle of their width in the plane,
-// and is as short as the width allows.
-static Capsule fit(const Ball *b, size_t n)
-{
-  const Ball *p = &b[farthest(b, n, b[0].c)], *q = &b[farthest(b, n, p->c)];
-  double o[3], axis[3], length = sqrt(ball_gap(p, q->c)), left = 0, right = 0, r = 0, off2;
-  if (!(length > 0)) {
-    for (size_t i = 0; i < n; i++) r = MAX(r, b[i].r);
-    return (Capsule){{p->c[0], p->c[1], p->c[2]}, {0, 0, 0}, r};
-  }
-  for (int i = 0; i < 3; i++) o[i] = p->c[i], axis[i] = (q->c[i] - p->c[i]) / length;
-  for (size_t i = 0; i < n; i++) {
-    double w = (b[i].c[1] - o[1]) * axis[0] - (b[i].c[0] - o[0]) * axis[1];
-    left = MAX(left, w + b[i].r), right = MIN(right, w - b[i].r);
-  }
-  o[0] -= axis[1] * (left + right) / 2, o[1] += axis[0] * (left + right) / 2;
-  for (size_t i = 0; i < n; i++) {
-    along(&b[i], o, axis, &off2);
-    r = MAX(r, sqrt(off2) + b[i].r);
-  }
-  double t0 = INFINITY, t1 = -INFINITY;
-  for (size_t i = 0; i < n; i++) {
-    double t = along(&b[i], o, axis, &off2), s = sqrt(MAX((r - b[i].r) * (r - b[i].r) - off2, 0));
-    t0 = MIN(t0, t + s), t1 = MAX(t1, t - s);
-  }
-  if (t0 > t1) { // one ball: its centre, and as far as it must reach
-    double centre[3];
-    for (int i = 0; i < 3; i++) centre[i] = o[i] + axis[i] * (t0 + t1) / 2;
-    r = 0;
-    for (size_t i = 0; i < n; i++) r = MAX(r, sqrt(ball_gap(&b[i], centre)) + b[i].r);
-    return (Capsule){{centre[0], centre[1], centre[2]}, {0, 0, 0}, r};
-  }
-  Capsule c = {.r = r};
-  for (int i = 0; i < 3; i++) c.a[i] = o[i] + t0 * axis[i], c.d[i] = (t1 - t0) * axis[i];
-  return c;
-}
-
 enum { FIT_PIECES = 256 }; // above that capsules are fitted to those of the children
 
 static size_t piece_balls(const Nearest *n, size_t first, size_t end, Ball *b)
@@ -195,14 +122,6 @@ static size_t piece_balls(const Nearest *n, size_t first, size_t end, Ball *b)
     b[k++] = (Ball){{p->a.x + p->d.x, p->a.y + p->d.y, p->a.z + p->d.z}, p->bulge};
   }
   return k;
-}
-
-static size_t capsule_balls(const Capsule *c, Ball *b)
-{
-  if (c->r < 0) return 0;
-  b[0] = (Ball){{c->a[0], c->a[1], c->a[2]}, c->r};
-  b[1] = (Ball){{c->a[0] + c->d[0], c->a[1] + c->d[1], c->a[2] + c->d[2]}, c->r};
-  return 2;
 }
 
 // Rounded to floats; r grows by what that moves the axis and by the rounding of the search.
@@ -477,7 +396,7 @@ void nearest_build(Nearest *n)
       if (first >= count) nball = 0;
       else if (width <= FIT_PIECES) nball = piece_balls(n, first, end, ball);
       else nball = capsule_balls(&capsule[2 * k], ball), nball += capsule_balls(&capsule[2 * k + 1], ball + nball);
-      capsule[k] = nball ? fit(ball, nball) : (Capsule){.r = -1};
+      capsule[k] = nball ? capsule_fit(ball, nball) : (Capsule){.r = -1};
     }
   }
   n->block = mem_alloc((n->leaves + 1) * sizeof *n->node);

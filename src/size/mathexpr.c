@@ -1,51 +1,20 @@
-// mathexpr.c - a parser that emits shared, folded nodes; a register allocator; an interpreter over arrays
+// mathexpr.c - a parser that emits shared, folded nodes; a register allocator
 // SPDX-License-Identifier: MIT
 #include "base/base.h"
 
-#include "size/mathexpr.h"
+#include "size/mathexpr_int.h"
 
 #include <ctype.h>
-#include <math.h>
 #include <strings.h>
 
 #include "base/map.h"
-#include "base/mem.h"
 #include "base/number.h"
-#include "size/trig.h"
-
-typedef enum {
-  OP_CONST, OP_INPUT, // x, y, z are inputs 0, 1, 2; fields follow
-  OP_ADD, OP_SUB, OP_MUL, OP_DIV, OP_POW, OP_MOD, OP_LT, OP_GT, OP_LE, OP_GE, OP_EQ, OP_NE, OP_AND, OP_OR, OP_MIN, OP_MAX,
-  OP_ATAN2, OP_HYPOT,
-  OP_NEG, OP_ABS, OP_ACOS, OP_ASIN, OP_ATAN, OP_COS, OP_COSH, OP_DEG, OP_EXP, OP_FAC, OP_LOG, OP_LOG10, OP_RAD, OP_ROUND,
-  OP_SIGN, OP_SIN, OP_SINH, OP_SQRT, OP_STEP, OP_TAN, OP_TANH, OP_ATANH, OP_TRUNC, OP_FLOOR, OP_CEIL, OP_RAND,
-} Op;
-
-static bool is_binary(Op op)
-{
-  return op >= OP_ADD && op <= OP_HYPOT;
-}
 
 typedef struct {
   Op op;
   uint32_t a, b; // nodes; of OP_INPUT a is the input
   double value;
 } ExprNode;
-
-typedef struct {
-  Op op;
-  uint32_t to, a, b; // operand places: inputs first, then registers
-} Instr;
-
-struct Expr {
-  Vec(Instr) code;
-  DoubleVec number; // constants: the first registers
-  IntVec field;
-  uint32_t nreg;
-  uint32_t result; // operand place
-  bool constant, minus_power;
-  double value;
-};
 
 // ---- nodes ----------------------------------------------------------------------------------------------------------------
 
@@ -70,9 +39,6 @@ static uint32_t fail_at(Builder *b, const char *at, const char *what)
   str_printf(b->error, "%s", what);
   return 0;
 }
-
-static double apply1(Op op, double v);
-static double apply2(Op op, double a, double b);
 
 static uint32_t constant(Builder *b, double v)
 {
@@ -102,7 +68,7 @@ static uint32_t emit1(Builder *b, Op op, uint32_t x)
 {
   double v;
   if (b->failed) return 0;
-  if (op != OP_RAND && is_const(b, x, &v)) return constant(b, apply1(op, v));
+  if (op != OP_RAND && is_const(b, x, &v)) return constant(b, expr_apply1(op, v));
   return shared_node(b, op, x, 0);
 }
 
@@ -111,7 +77,7 @@ static uint32_t emit2(Builder *b, Op op, uint32_t x, uint32_t y)
   double v, w;
   if (b->failed) return 0;
   bool cx = is_const(b, x, &v), cy = is_const(b, y, &w);
-  if (cx && cy) return constant(b, apply2(op, v, w));
+  if (cx && cy) return constant(b, expr_apply2(op, v, w));
   if (op == OP_POW && cy && w == 1) return x;
   if (op == OP_POW && cy && w == 2) return shared_node(b, OP_MUL, x, x);
   if (op == OP_POW && cy && w == 3) return shared_node(b, OP_MUL, shared_node(b, OP_MUL, x, x), x);
@@ -315,7 +281,7 @@ static void generate(Builder *b, uint32_t root, Expr *e)
     const ExprNode *x = &b->node.data[i];
     if (!last[i] || x->op == OP_CONST || x->op == OP_INPUT) continue;
     if (!last[x->a]) last[x->a] = (uint32_t)i + 1;
-    if (is_binary(x->op) && !last[x->b]) last[x->b] = (uint32_t)i + 1;
+    if (expr_is_binary(x->op) && !last[x->b]) last[x->b] = (uint32_t)i + 1;
   }
   for (size_t i = 0; i < n; i++) {
     const ExprNode *x = &b->node.data[i];
@@ -328,12 +294,12 @@ static void generate(Builder *b, uint32_t root, Expr *e)
   for (size_t i = 0; i < n; i++) {
     const ExprNode *x = &b->node.data[i];
     if (!last[i] || x->op == OP_INPUT || x->op == OP_CONST) continue;
-    Instr in = {x->op, 0, place[x->a], is_binary(x->op) ? place[x->b] : 0};
+    Instr in = {x->op, 0, place[x->a], expr_is_binary(x->op) ? place[x->b] : 0};
     // The target is chosen before operands are freed: loops may then assume that it is none of them.
     in.to = spare.len ? vec_pop(&spare) : ninput + e->nreg++;
     place[i] = in.to;
     if (last[x->a] == i + 1 && in.a >= reusable) vec_push(&spare, in.a);
-    if (is_binary(x->op) && x->b != x->a && last[x->b] == i + 1 && in.b >= reusable) vec_push(&spare, in.b);
+    if (expr_is_binary(x->op) && x->b != x->a && last[x->b] == i + 1 && in.b >= reusable) vec_push(&spare, in.b);
     vec_push(&e->code, in);
   }
   e->result = place[root];
@@ -399,150 +365,4 @@ size_t expr_scratch(const Expr *e, size_t n)
 size_t expr_length(const Expr *e)
 {
   return e->number.len + e->code.len;
-}
-
-// ---- evaluation -------------------------------------------------------------------------------------------------------------------
-
-static double factorial(double v)
-{
-  double f = 1;
-  for (int i = 2; i <= v && i <= 170; i++) f *= i;
-  return v > 170 ? INFINITY : f;
-}
-
-static inline double apply2(Op op, double a, double b)
-{
-  switch (op) {
-  case OP_ADD: return a + b;
-  case OP_SUB: return a - b;
-  case OP_MUL: return a * b;
-  case OP_DIV: return a / b;
-  case OP_POW: return pow(a, b);
-  case OP_MOD: return fmod(a, b);
-  case OP_LT: return a < b;
-  case OP_GT: return a > b;
-  case OP_LE: return a <= b;
-  case OP_GE: return a >= b;
-  case OP_EQ: return a == b;
-  case OP_NE: return a != b;
-  case OP_AND: return a != 0 && b != 0;
-  case OP_OR: return a != 0 || b != 0;
-  case OP_MIN: return a < b ? a : b;
-  case OP_MAX: return a > b ? a : b;
-  case OP_ATAN2: return atan2(a, b);
-  case OP_HYPOT: return hypot(a, b);
-  default: UNREACHABLE();
-  }
-}
-
-static inline double apply1(Op op, double v)
-{
-  switch (op) {
-  case OP_NEG: return -v;
-  case OP_ABS: return fabs(v);
-  case OP_ACOS: return acos(v);
-  case OP_ASIN: return asin(v);
-  case OP_ATAN: return atan(v);
-  case OP_COS: return trig_cos(v);
-  case OP_COSH: return cosh(v);
-  case OP_DEG: return v * 180 / M_PI;
-  case OP_EXP: return exp(v);
-  case OP_FAC: return factorial(v);
-  case OP_LOG: return log(v);
-  case OP_LOG10: return log10(v);
-  case OP_RAD: return v * M_PI / 180;
-  case OP_ROUND: return trunc(v + 0.5);
-  case OP_SIGN: return v < 0 ? -1 : 1;
-  case OP_SIN: return trig_sin(v);
-  case OP_SINH: return sinh(v);
-  case OP_SQRT: return sqrt(v);
-  case OP_STEP: return v < 0 ? 0 : 1;
-  case OP_TAN: return tan(v);
-  case OP_TANH: return tanh(v);
-  case OP_ATANH: return atanh(v);
-  case OP_TRUNC: return trunc(v);
-  case OP_FLOOR: return floor(v);
-  case OP_CEIL: return ceil(v);
-  default: UNREACHABLE();
-  }
-}
-
-// A number in [0,1) that only depends on the place.
-static double scatter(double x, double y, double z)
-{
-  uint64_t h = 0x9e3779b97f4a7c15u, bits;
-  double v[3] = {x, y, z};
-  for (int i = 0; i < 3; i++) {
-    memcpy(&bits, &v[i], sizeof bits);
-    h = (h ^ bits) * 0xbf58476d1ce4e5b9u;
-    h ^= h >> 29;
-  }
-  return (double)(h >> 11) * 0x1p-53;
-}
-
-// One loop per operation: the switch is outside of it.
-#define LOOP1(OP) \
-  case OP: \
-    for (size_t i = 0; i < n; i++) to[i] = apply1(OP, a[i]); \
-    break;
-#define LOOP2(OP) \
-  case OP: \
-    for (size_t i = 0; i < n; i++) to[i] = apply2(OP, a[i], b[i]); \
-    break;
-
-static void run(const Instr *in, const double *a, const double *b, const double *const place[3], size_t n, double *to)
-{
-  switch (in->op) {
-  case OP_CONST:
-  case OP_INPUT: break;
-  case OP_RAND:
-    for (size_t i = 0; i < n; i++) to[i] = a[i] * scatter(place[0][i], place[1][i], place[2][i]);
-    break;
-  case OP_SIN: trig_batch(a, n, 0, to); break;
-  case OP_COS: trig_batch(a, n, 1, to); break;
-  LOOP2(OP_ADD) LOOP2(OP_SUB) LOOP2(OP_MUL) LOOP2(OP_DIV) LOOP2(OP_POW) LOOP2(OP_MOD) LOOP2(OP_LT) LOOP2(OP_GT)
-  LOOP2(OP_LE) LOOP2(OP_GE) LOOP2(OP_EQ) LOOP2(OP_NE) LOOP2(OP_AND) LOOP2(OP_OR) LOOP2(OP_MIN) LOOP2(OP_MAX)
-  LOOP2(OP_ATAN2) LOOP2(OP_HYPOT)
-  LOOP1(OP_NEG) LOOP1(OP_ABS) LOOP1(OP_ACOS) LOOP1(OP_ASIN) LOOP1(OP_ATAN) LOOP1(OP_COSH) LOOP1(OP_DEG)
-  LOOP1(OP_EXP) LOOP1(OP_FAC) LOOP1(OP_LOG) LOOP1(OP_LOG10) LOOP1(OP_RAD) LOOP1(OP_ROUND) LOOP1(OP_SIGN)
-  LOOP1(OP_SINH) LOOP1(OP_SQRT) LOOP1(OP_STEP) LOOP1(OP_TAN) LOOP1(OP_TANH) LOOP1(OP_ATANH) LOOP1(OP_TRUNC)
-  LOOP1(OP_FLOOR) LOOP1(OP_CEIL)
-  }
-}
-
-enum { MOST_PLACES = 64 };
-
-// At one place: values in one small array, no loops within instructions.
-static double evaluate_one(const Expr *e, const double *place, const double *const *field)
-{
-  double v[MOST_PLACES];
-  size_t n = 3;
-  memcpy(v, place, 3 * sizeof *v);
-  for (size_t k = 0; k < e->field.len; k++) v[n++] = *field[k];
-  for (size_t k = 0; k < e->number.len; k++) v[n++] = e->number.data[k];
-  for (const Instr *in = e->code.data, *end = in + e->code.len; in < end; in++)
-    v[in->to] = in->op == OP_RAND   ? v[in->a] * scatter(v[0], v[1], v[2])
-                : is_binary(in->op) ? apply2(in->op, v[in->a], v[in->b])
-                                    : apply1(in->op, v[in->a]);
-  return v[e->result];
-}
-
-void expr_eval(const Expr *e, const double *x, const double *y, const double *z, const double *const *field, size_t n,
-               double *scratch, double *out)
-{
-  const double *place[3] = {x, y, z};
-  uint32_t ninput = (uint32_t)(3 + e->field.len);
-  if (n == 1 && ninput + e->nreg <= MOST_PLACES) {
-    *out = evaluate_one(e, (double[3]){*x, *y, *z}, field);
-    return;
-  }
-#define OPERAND(k) ((k) < 3 ? place[k] : (k) < ninput ? field[(k) - 3] : scratch + (size_t)((k) - ninput) * n)
-  for (size_t k = 0; k < e->number.len; k++)
-    for (size_t i = 0; i < n; i++) scratch[k * n + i] = e->number.data[k];
-  for (size_t i = 0; i < e->code.len; i++) {
-    const Instr *in = &e->code.data[i];
-    run(in, OPERAND(in->a), OPERAND(in->b), place, n, scratch + (size_t)(in->to - ninput) * n);
-  }
-  memcpy(out, OPERAND(e->result), n * sizeof *out);
-#undef OPERAND
 }
