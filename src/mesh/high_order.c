@@ -48,14 +48,6 @@ static void bend_edges(Elevator *v, const Model *model, HighOrderReport *report)
 }
 
 // ---- output ------------------------------------------------------------------------------------------------------
-static void set_node(Mesh *m, uint32_t n, Vec3 p, double u)
-{
-  m->xyz[3 * (size_t)n] = p.x;
-  m->xyz[3 * (size_t)n + 1] = p.y;
-  m->xyz[3 * (size_t)n + 2] = p.z;
-  m->node_u[n] = u;
-}
-
 static void place_edges(Elevator *v, const Model *model)
 {
   for (uint32_t e = 0; e < v->table.n; e++) {
@@ -70,7 +62,7 @@ static void place_edges(Elevator *v, const Model *model)
         p = vec3_add(vec3_scale(1 - s, mesh_xyz(v->m, edge->a)), vec3_scale(s, mesh_xyz(v->m, edge->b)));
         p = vec3_add(p, v->shift[i]);
       }
-      set_node(v->e.mesh, v->e.edge[e] + (uint32_t)k, p, v->u[i]);
+      mesh_set_node(v->e.mesh, v->e.edge[e] + (uint32_t)k, p, v->u[i]);
     }
   }
 }
@@ -102,7 +94,7 @@ static void write_cells(const Elevator *v, const MeshBlock *from, const uint32_t
     Vec3 node[ELEM_MAX_NODES], normal;
     high_order__nodes(v, &cell, node, &normal);
     for (int i = 0; i < inside; i++) {
-      set_node(v->e.mesh, first[k] + (uint32_t)i, node[c * how.order + i], NAN);
+      mesh_set_node(v->e.mesh, first[k] + (uint32_t)i, node[c * how.order + i], NAN);
       *to++ = first[k] + (uint32_t)i;
     }
   }

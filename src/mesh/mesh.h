@@ -105,6 +105,14 @@ static inline Vec3 mesh_xyz(const Mesh *m, uint32_t n)
 {
   return (Vec3){m->xyz[3 * (size_t)n], m->xyz[3 * (size_t)n + 1], m->xyz[3 * (size_t)n + 2]};
 }
+// Move a node to p, at parameter u of its curve (NAN if it is not on one).
+static inline void mesh_set_node(Mesh *m, uint32_t n, Vec3 p, double u)
+{
+  m->xyz[3 * (size_t)n] = p.x;
+  m->xyz[3 * (size_t)n + 1] = p.y;
+  m->xyz[3 * (size_t)n + 2] = p.z;
+  m->node_u[n] = u;
+}
 // The number of a node for people: that in its file.
 static inline unsigned long long mesh_node_number(const Mesh *m, uint32_t i)
 {

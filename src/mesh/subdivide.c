@@ -18,14 +18,6 @@ static int centres(ElemType type, void *how)
   return type == ELEM_QUAD4 || *(const Subdivision *)how != SUBDIVIDE_HALVE;
 }
 
-static void set_node(Mesh *m, uint32_t v, Vec3 p, double u)
-{
-  m->xyz[3 * (size_t)v] = p.x;
-  m->xyz[3 * (size_t)v + 1] = p.y;
-  m->xyz[3 * (size_t)v + 2] = p.z;
-  m->node_u[v] = u;
-}
-
 static void place_nodes(Splitter *s, const Model *model)
 {
   Mesh *out = s->e.mesh;
@@ -33,7 +25,7 @@ static void place_nodes(Splitter *s, const Model *model)
     for (uint32_t i = 0; i < s->table.n; i++) {
       double u;
       Vec3 p = edge_table_point(&s->table, s->m, model, i, 0.5, &u);
-      set_node(out, s->e.edge[i], p, u);
+      mesh_set_node(out, s->e.edge[i], p, u);
     }
   for (size_t b = 0; b < s->m->nblock; b++) {
     const MeshBlock *from = &s->m->block[b];
@@ -42,7 +34,7 @@ static void place_nodes(Splitter *s, const Model *model)
     for (size_t k = 0; k < from->n; k++) {
       Vec3 sum = {0, 0, 0};
       for (size_t i = 0; i < c; i++) sum = vec3_add(sum, mesh_xyz(s->m, from->node[c * k + i]));
-      set_node(out, s->e.cell[b][k], vec3_scale(1 / (double)c, sum), NAN);
+      mesh_set_node(out, s->e.cell[b][k], vec3_scale(1 / (double)c, sum), NAN);
     }
   }
 }

@@ -54,6 +54,14 @@ static void list(World *w, const char *key, const double *v, size_t n)
   assert_true(field_set_list(w->fields, 1, key, v, n, NO_LOC, w->diag));
 }
 
+// First height, ratio and thickness of the layers.
+static void growth(World *w, double size, double ratio, double thickness)
+{
+  number(w, "Size", size);
+  number(w, "Ratio", ratio);
+  number(w, "Thickness", thickness);
+}
+
 // A closed polygon of lines; tags of its first curve and of its loop. Curves and points are numbered on.
 static int polygon(World *w, const Vec2 *p, int n, double lc, int *loop)
 {
@@ -144,9 +152,7 @@ static void a_wall_has_the_heights_asked_for(void **state)
   const double curve = polygon(&w, p, 4, 0.1, &loop);
   model_add_face(w.m, FACE_PLANE, 1, &loop, 1, NO_LOC, w.diag);
   list(&w, "CurvesList", &curve, 1);
-  number(&w, "Size", 0.01);
-  number(&w, "Ratio", 1.2);
-  number(&w, "Thickness", 0.1);
+  growth(&w, 0.01, 1.2, 0.1);
   number(&w, "Quads", 1);
   assert_int_equal(mesh_it(&w), 0);
   double h[64];
@@ -167,6 +173,22 @@ static void a_wall_has_the_heights_asked_for(void **state)
   world_free(&w);
 }
 
+// Whether the image of each corner of a quadrangle is one as well.
+static bool is_symmetric(const World *w, Vec3 (*image)(Vec3))
+{
+  const FaceMesh *f = &w->face[0];
+  for (size_t k = 0; k < 4 * f->nquad; k++) {
+    Vec3 q = image(node(w, f->quad[k]));
+    double best = INFINITY;
+    for (size_t l = 0; l < 4 * f->nquad; l++) best = fmin(best, vec3_distance(node(w, f->quad[l]), q));
+    if (best >= 1e-12) return false;
+  }
+  return true;
+}
+
+static Vec3 quarter_turn(Vec3 p) { return (Vec3){-p.y, p.x, 0}; }
+static Vec3 mirrored(Vec3 p) { return (Vec3){p.x, -p.y, 0}; }
+
 // Inside of a square with layers all round: symmetric by quarter turns, and shortened in the corners.
 static void symmetric_faces_get_symmetric_layers(void **state)
 {
@@ -178,23 +200,14 @@ static void symmetric_faces_get_symmetric_layers(void **state)
   model_add_face(w.m, FACE_PLANE, 1, &loop, 1, NO_LOC, w.diag);
   const double curves[4] = {first, first + 1, first + 2, first + 3};
   list(&w, "CurvesList", curves, 4);
-  number(&w, "Size", 0.02);
-  number(&w, "Ratio", 1.3);
-  number(&w, "Thickness", 0.25);
+  growth(&w, 0.02, 1.3, 0.25);
   number(&w, "Quads", 1);
   assert_int_equal(mesh_it(&w), 0);
   int bad = 0;
   assert_true(fabs(area_of(&w, &bad) - 4) < 1e-11);
   assert_int_equal(bad, 0);
-  const FaceMesh *f = &w.face[0];
-  assert_true(f->nquad > 300);
-  for (size_t k = 0; k < f->nquad; k++)
-    for (int i = 0; i < 4; i++) {
-      Vec3 q = node(&w, f->quad[4 * k + (size_t)i]), turned = {-q.y, q.x, 0};
-      double best = INFINITY;
-      for (size_t l = 0; l < 4 * f->nquad; l++) best = fmin(best, vec3_distance(node(&w, f->quad[l]), turned));
-      assert_true(best < 1e-12);
-    }
+  assert_true(w.face[0].nquad > 300);
+  assert_true(is_symmetric(&w, quarter_turn));
   world_free(&w);
 }
 
@@ -212,22 +225,14 @@ static void a_notch_is_symmetric(void **state)
   const double curves[4] = {first, first + 1, first + 2, first + 3}, fans[3] = {5, 7, 8};
   list(&w, "CurvesList", curves, 4);
   list(&w, "FanPointsList", fans, 3);
-  number(&w, "Size", 0.01);
-  number(&w, "Ratio", 1.2);
-  number(&w, "Thickness", 0.2);
+  growth(&w, 0.01, 1.2, 0.2);
   number(&w, "Quads", 1);
   assert_int_equal(mesh_it(&w), 0);
   int bad = 0;
   (void)area_of(&w, &bad);
   assert_int_equal(bad, 0);
-  const FaceMesh *f = &w.face[0];
-  assert_true(f->nquad > 400);
-  for (size_t k = 0; k < 4 * f->nquad; k++) {
-    Vec3 q = node(&w, f->quad[k]), mirrored = {q.x, -q.y, 0};
-    double best = INFINITY;
-    for (size_t l = 0; l < 4 * f->nquad; l++) best = fmin(best, vec3_distance(node(&w, f->quad[l]), mirrored));
-    assert_true(best < 1e-12);
-  }
+  assert_true(w.face[0].nquad > 400);
+  assert_true(is_symmetric(&w, mirrored));
   world_free(&w);
 }
 
@@ -246,9 +251,7 @@ static void fans_turn_round_corners(void **state)
   list(&w, "CurvesList", curves, 4);
   list(&w, "FanPointsList", fans, 4);
   list(&w, "FanPointsSizesList", cells, 4);
-  number(&w, "Size", 0.05);
-  number(&w, "Ratio", 1.2);
-  number(&w, "Thickness", 0.4);
+  growth(&w, 0.05, 1.2, 0.4);
   number(&w, "Quads", 1);
   assert_int_equal(mesh_it(&w), 0);
   double h[64];
@@ -351,9 +354,7 @@ static int random_face(Rng *r, int trial)
   list(&w, "FanPointsList", fans, (size_t)nfan);
   double height[512], size = 0.002 + 0.02 * rng_double(r), ratio = 1 + 0.4 * rng_double(r);
   double thickness = 0.03 + 0.4 * rng_double(r) * rng_double(r);
-  number(&w, "Size", size);
-  number(&w, "Ratio", ratio);
-  number(&w, "Thickness", thickness);
+  growth(&w, size, ratio, thickness);
   number(&w, "Quads", rng_below(r, 2));
   size_t failed = mesh_it(&w);
   if (failed) fprintf(stderr, "trial %d: %s\n", trial, diag_count(w.diag) ? diag_get(w.diag, 0)->text : "");
@@ -381,9 +382,7 @@ static void corners_with_room_are_mitred(void **state)
   model_add_face(w.m, FACE_PLANE, 1, &loop, 1, NO_LOC, w.diag);
   const double curves[4] = {first, first + 1, first + 2, first + 3};
   list(&w, "CurvesList", curves, 4);
-  number(&w, "Size", 0.01);
-  number(&w, "Ratio", 1.2);
-  number(&w, "Thickness", 0.1);
+  growth(&w, 0.01, 1.2, 0.1);
   number(&w, "Quads", 1);
   assert_int_equal(mesh_it(&w), 0);
   double h[64];
@@ -409,9 +408,7 @@ static void narrow_gaps_keep_the_first_height(void **state)
   const double curves[2] = {first, first + 2}, sizes[4] = {1, 0.01, 2, 0.02};
   list(&w, "CurvesList", curves, 2);
   list(&w, "SizesList", sizes, 4);
-  number(&w, "Size", 0.01);
-  number(&w, "Ratio", 1.3);
-  number(&w, "Thickness", 0.4);
+  growth(&w, 0.01, 1.3, 0.4);
   assert_int_equal(mesh_it(&w), 0);
   int bad = 0;
   assert_true(fabs(area_of(&w, &bad) - 2) < 1e-11);
