@@ -29,6 +29,8 @@ OPT_asan := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-san
 OPT_stress := -O1 -g -DSTRESS -DCHECK_LEVEL=3
 OPT_cov := -O0 -g --coverage -DCHECK_LEVEL=1
 OPT_fuzz := -O1 -g -fsanitize=fuzzer-no-link,address,undefined -DCHECK_LEVEL=1
+# Of the C++ library only the conversion of numbers is used; linked in, it need not be relocated at each start.
+LINK_release := -static-libstdc++ -static-libgcc
 ifeq ($(OPT_$(CONFIG)),)
 $(error unknown CONFIG=$(CONFIG): release, debug, asan, stress, cov, fuzz)
 endif
@@ -43,10 +45,10 @@ endif
 COMMON := -Isrc -D_GNU_SOURCE -ffp-contract=off -fno-math-errno -fvisibility=hidden -pthread $(OPT_$(CONFIG)) $(MARCH) -MMD -MP
 LIB_PKGS := cairo
 PKG_CFLAGS := $(shell $(PKG_CONFIG) --cflags $(LIB_PKGS) 2>/dev/null)
-PKG_LIBS := $(shell $(PKG_CONFIG) --libs $(LIB_PKGS) 2>/dev/null || echo -lcairo)
 CFLAGS_ALL := -std=c11 $(CWARN) $(COMMON) $(PKG_CFLAGS) $(CFLAGS)
 CXXFLAGS_ALL := -std=c++17 $(WARN) $(COMMON) $(CXXFLAGS)
-LIBS := $(PKG_LIBS) -lmpfr -lgmp -lz -lm
+# cairo is loaded when a picture is drawn (out/cairo_load.h).
+LIBS := -lmpfr -lgmp -lz -lm
 
 SRC_C := $(sort $(wildcard src/*/*.c))
 SRC_CC := $(sort $(wildcard src/*/*.cc))
@@ -66,7 +68,7 @@ program: $(PROGRAM)
 
 $(PROGRAM): $(MAIN_OBJ) $(LIB)
 	@echo "LINK $@"
-	$(Q)$(CXX) $(OPT_$(CONFIG)) -pthread -o $@ $^ $(LDFLAGS) $(LIBS)
+	$(Q)$(CXX) $(OPT_$(CONFIG)) -pthread $(LINK_$(CONFIG)) -o $@ $^ $(LDFLAGS) $(LIBS)
 
 $(LIB): $(filter-out $(MAIN_OBJ),$(OBJ))
 	@echo "AR   $@"

@@ -4,16 +4,16 @@
 
 #include "out/canvas.h"
 
-#include <cairo-pdf.h>
-#include <cairo.h>
 #include <math.h>
 
 #include "base/mem.h"
 #include "base/number.h"
+#include "out/cairo_load.h"
 
 struct Canvas {
   Writer *w;
   CanvasKind kind;
+  Cairo cairo; // the library, but for SVG
   cairo_surface_t *surface; // NULL for SVG
   cairo_t *cr;
 };
@@ -24,26 +24,37 @@ static cairo_status_t emit(void *w, const unsigned char *data, unsigned length)
   return CAIRO_STATUS_SUCCESS;
 }
 
+const char *canvas_lacks(CanvasKind kind)
+{
+  Cairo cairo;
+  if (kind == CANVAS_SVG || cairo_load(&cairo)) return NULL;
+  return "PNG and PDF are drawn by the library libcairo.so.2, which cannot be loaded (SVG needs none)";
+}
+
 Canvas *canvas_open(Writer *w, CanvasKind kind, double width, double height)
 {
   Canvas *c = mem_zalloc(sizeof *c);
   c->w = w;
   c->kind = kind;
+  if (kind != CANVAS_SVG && !cairo_load(&c->cairo)) {
+    free(c);
+    return NULL;
+  }
   if (kind == CANVAS_SVG) {
     writer_printf(w, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%.0f\" "
                   "height=\"%.0f\" viewBox=\"0 0 %.0f %.0f\" font-family=\"DejaVu Sans,Helvetica,Arial,sans-serif\">\n",
                   width, height, width, height);
   } else if (kind == CANVAS_PDF) {
-    c->surface = cairo_pdf_surface_create_for_stream(emit, w, width, height);
+    c->surface = c->cairo.pdf_surface_create_for_stream(emit, w, width, height);
     // A fixed date: equal meshes give equal bytes.
-    cairo_pdf_surface_set_metadata(c->surface, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
+    c->cairo.pdf_surface_set_metadata(c->surface, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
   } else {
-    c->surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)width, (int)height);
+    c->surface = c->cairo.image_surface_create(CAIRO_FORMAT_RGB24, (int)width, (int)height);
   }
   if (c->surface) {
-    c->cr = cairo_create(c->surface);
-    cairo_set_line_cap(c->cr, CAIRO_LINE_CAP_ROUND);
-    cairo_set_line_join(c->cr, CAIRO_LINE_JOIN_ROUND);
+    c->cr = c->cairo.create(c->surface);
+    c->cairo.set_line_cap(c->cr, CAIRO_LINE_CAP_ROUND);
+    c->cairo.set_line_join(c->cr, CAIRO_LINE_JOIN_ROUND);
   }
   canvas_rect(c, (Color){255, 255, 255, 255}, 0, 0, width, height);
   return c;
@@ -53,13 +64,13 @@ void canvas_close(Canvas *c)
 {
   if (c->kind == CANVAS_SVG) writer_str(c->w, "</svg>\n");
   if (c->kind == CANVAS_PNG) {
-    cairo_surface_flush(c->surface);
-    cairo_surface_write_to_png_stream(c->surface, emit, c->w);
+    c->cairo.surface_flush(c->surface);
+    c->cairo.surface_write_to_png_stream(c->surface, emit, c->w);
   }
-  if (c->cr) cairo_destroy(c->cr);
+  if (c->cr) c->cairo.destroy(c->cr);
   if (c->surface) {
-    cairo_surface_finish(c->surface);
-    cairo_surface_destroy(c->surface);
+    c->cairo.surface_finish(c->surface);
+    c->cairo.surface_destroy(c->surface);
   }
   free(c);
 }
@@ -71,9 +82,9 @@ void canvas_clip(Canvas *c, double x, double y, double width, double height)
                   "<g clip-path=\"url(#window)\">\n", x, y, width, height);
     return;
   }
-  cairo_save(c->cr);
-  cairo_rectangle(c->cr, x, y, width, height);
-  cairo_clip(c->cr);
+  c->cairo.save(c->cr);
+  c->cairo.rectangle(c->cr, x, y, width, height);
+  c->cairo.clip(c->cr);
 }
 
 void canvas_end_clip(Canvas *c)
@@ -81,10 +92,13 @@ void canvas_end_clip(Canvas *c)
   if (c->kind == CANVAS_SVG)
     writer_str(c->w, "</g>\n");
   else
-    cairo_restore(c->cr);
+    c->cairo.restore(c->cr);
 }
 
-static void set_color(Canvas *c, Color k) { cairo_set_source_rgba(c->cr, k.r / 255., k.g / 255., k.b / 255., k.a / 255.); }
+static void set_color(Canvas *c, Color k)
+{
+  c->cairo.set_source_rgba(c->cr, k.r / 255., k.g / 255., k.b / 255., k.a / 255.);
+}
 
 static void svg_color(Canvas *c, const char *attribute, Color k)
 {
@@ -153,19 +167,19 @@ void canvas_polygons(Canvas *c, Color fill, const double *xy, const uint32_t *st
     return;
   }
   set_color(c, fill);
-  cairo_set_fill_rule(c->cr, CAIRO_FILL_RULE_EVEN_ODD);
-  if (!together) cairo_set_antialias(c->cr, CAIRO_ANTIALIAS_NONE);
+  c->cairo.set_fill_rule(c->cr, CAIRO_FILL_RULE_EVEN_ODD);
+  if (!together) c->cairo.set_antialias(c->cr, CAIRO_ANTIALIAS_NONE);
   for (size_t i = 0; i < n; i++) {
     for (uint32_t k = start[i]; k < start[i + 1]; k++)
       if (k == start[i])
-        cairo_move_to(c->cr, xy[2 * k], xy[2 * k + 1]);
+        c->cairo.move_to(c->cr, xy[2 * k], xy[2 * k + 1]);
       else
-        cairo_line_to(c->cr, xy[2 * k], xy[2 * k + 1]);
-    cairo_close_path(c->cr);
-    if (!together) cairo_fill(c->cr);
+        c->cairo.line_to(c->cr, xy[2 * k], xy[2 * k + 1]);
+    c->cairo.close_path(c->cr);
+    if (!together) c->cairo.fill(c->cr);
   }
-  if (together) cairo_fill(c->cr);
-  cairo_set_antialias(c->cr, CAIRO_ANTIALIAS_DEFAULT);
+  if (together) c->cairo.fill(c->cr);
+  c->cairo.set_antialias(c->cr, CAIRO_ANTIALIAS_DEFAULT);
 }
 
 void canvas_segments(Canvas *c, Color color, double width, const double *xy, size_t n)
@@ -188,13 +202,13 @@ void canvas_segments(Canvas *c, Color color, double width, const double *xy, siz
   // than its length, so they are not one.
   enum { PER_PATH = 64 };
   set_color(c, color);
-  cairo_set_line_width(c->cr, width);
+  c->cairo.set_line_width(c->cr, width);
   for (size_t i = 0; i < n; i++) {
-    cairo_move_to(c->cr, xy[4 * i], xy[4 * i + 1]);
-    cairo_line_to(c->cr, xy[4 * i + 2], xy[4 * i + 3]);
-    if (i % PER_PATH == PER_PATH - 1) cairo_stroke(c->cr);
+    c->cairo.move_to(c->cr, xy[4 * i], xy[4 * i + 1]);
+    c->cairo.line_to(c->cr, xy[4 * i + 2], xy[4 * i + 3]);
+    if (i % PER_PATH == PER_PATH - 1) c->cairo.stroke(c->cr);
   }
-  cairo_stroke(c->cr);
+  c->cairo.stroke(c->cr);
 }
 
 void canvas_rect(Canvas *c, Color fill, double x, double y, double width, double height)
@@ -206,8 +220,8 @@ void canvas_rect(Canvas *c, Color fill, double x, double y, double width, double
     return;
   }
   set_color(c, fill);
-  cairo_rectangle(c->cr, x, y, width, height);
-  cairo_fill(c->cr);
+  c->cairo.rectangle(c->cr, x, y, width, height);
+  c->cairo.fill(c->cr);
 }
 
 void canvas_circle(Canvas *c, Color color, double width, double x, double y, double radius)
@@ -219,10 +233,10 @@ void canvas_circle(Canvas *c, Color color, double width, double x, double y, dou
     return;
   }
   set_color(c, color);
-  cairo_set_line_width(c->cr, width);
-  cairo_new_sub_path(c->cr);
-  cairo_arc(c->cr, x, y, radius, 0, 6.283185307179586);
-  cairo_stroke(c->cr);
+  c->cairo.set_line_width(c->cr, width);
+  c->cairo.new_sub_path(c->cr);
+  c->cairo.arc(c->cr, x, y, radius, 0, 6.283185307179586);
+  c->cairo.stroke(c->cr);
 }
 
 // Control bytes and what is not UTF-8 become '?', so that any name is printable.
@@ -265,10 +279,11 @@ void canvas_text(Canvas *c, Color color, double x, double y, double size, int al
     return;
   }
   set_color(c, color);
-  cairo_select_font_face(c->cr, "sans-serif", CAIRO_FONT_SLANT_NORMAL, bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-  cairo_set_font_size(c->cr, size);
+  c->cairo.select_font_face(c->cr, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
+                            bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  c->cairo.set_font_size(c->cr, size);
   cairo_text_extents_t ext;
-  cairo_text_extents(c->cr, clean, &ext);
-  cairo_move_to(c->cr, x - ext.x_advance * align / 2, y);
-  cairo_show_text(c->cr, clean);
+  c->cairo.text_extents(c->cr, clean, &ext);
+  c->cairo.move_to(c->cr, x - ext.x_advance * align / 2, y);
+  c->cairo.show_text(c->cr, clean);
 }

@@ -16,7 +16,9 @@ typedef struct {
 typedef enum { CANVAS_PNG, CANVAS_SVG, CANVAS_PDF } CanvasKind;
 typedef struct Canvas Canvas;
 
-// A white page. Nothing is written to w before canvas_close, except by SVG.
+// NULL, or why pictures of this kind cannot be made here.
+const char *canvas_lacks(CanvasKind kind);
+// A white page; NULL if canvas_lacks. Nothing is written to w before canvas_close, except by SVG.
 Canvas *canvas_open(Writer *w, CanvasKind kind, double width, double height);
 void canvas_close(Canvas *c);
 

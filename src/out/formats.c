@@ -44,9 +44,9 @@ static const Format table[] = {
      .write = ply__write, .refuses = surface__refuses, .read = ply__read},
     {.name = "stl", .extensions = "stl", .help = "STL, ASCII or binary, surface elements alone", .flags = FORMAT_SURFACE,
      .write = stl__write, .refuses = surface__refuses, .read = stl__read},
-    {.name = "png", .extensions = "png", .help = "picture of the mesh", .flags = FORMAT_ALL, .write = png__write},
+    {.name = "png", .extensions = "png", .help = "picture of the mesh", .flags = FORMAT_ALL, .write = png__write, .lacks = picture__lacks},
     {.name = "svg", .extensions = "svg", .help = "picture of the mesh", .flags = FORMAT_ALL, .write = svg__write},
-    {.name = "pdf", .extensions = "pdf", .help = "picture of the mesh", .flags = FORMAT_ALL, .write = pdf__write},
+    {.name = "pdf", .extensions = "pdf", .help = "picture of the mesh", .flags = FORMAT_ALL, .write = pdf__write, .lacks = picture__lacks},
 };
 
 const Format *format_at(size_t k) { return k < ARRAY_LEN(table) ? &table[k] : NULL; }
@@ -114,6 +114,11 @@ ExitCode out_write(const Mesh *m, const char *path, const char *format, const Ou
   if (!format_writes(f)) {
     diag_error(d, NO_LOC, "format %s can be read, not written", f->name);
     return EXIT_USAGE;
+  }
+  const char *lack = f->lacks ? f->lacks() : NULL;
+  if (lack) {
+    diag_error(d, NO_LOC, "%s: %s", path, lack);
+    return EXIT_ENVIRONMENT;
   }
   struct stat st;
   if (f->write_files && (strcmp(path, "-") == 0 || (stat(path, &st) == 0 && !S_ISREG(st.st_mode)))) {

@@ -42,6 +42,7 @@ struct Format {
   unsigned flags;
   void (*write)(Writer *w, const Selection *s, const OutOptions *o);
   int (*write_files)(const char *path, const Selection *s, const OutOptions *o); // instead: several files; errno
+  const char *(*lacks)(void);                 // NULL or what this machine lacks to write it
   const char *(*refuses)(const Selection *s); // NULL or why this mesh cannot be written
   Mesh *(*read)(const char *text, size_t len, const char *name, Diag *d);
   Mesh *(*read_files)(const char *path, Diag *d, ExitCode *status); // instead: several files
@@ -74,6 +75,7 @@ Mesh *triangle__read(const char *path, Diag *d, ExitCode *status);
 void png__write(Writer *w, const Selection *s, const OutOptions *o);
 void svg__write(Writer *w, const Selection *s, const OutOptions *o);
 void pdf__write(Writer *w, const Selection *s, const OutOptions *o);
+const char *picture__lacks(void); // of PNG and PDF
 
 Mesh *msh__read(const char *text, size_t len, const char *name, Diag *d);
 

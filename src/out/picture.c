@@ -77,6 +77,7 @@ static void draw(Writer *w, CanvasKind kind, const Selection *s, const OutOption
   vec_free(&p.start);
 }
 
+const char *picture__lacks(void) { return canvas_lacks(CANVAS_PNG); }
 void png__write(Writer *w, const Selection *s, const OutOptions *o) { draw(w, CANVAS_PNG, s, o); }
 void svg__write(Writer *w, const Selection *s, const OutOptions *o) { draw(w, CANVAS_SVG, s, o); }
 void pdf__write(Writer *w, const Selection *s, const OutOptions *o) { draw(w, CANVAS_PDF, s, o); }

@@ -100,6 +100,11 @@ ExitCode out_write_diff(const Mesh *a, const Mesh *b, const MeshDiff *d, const c
     diag_error(diag, NO_LOC, "'%s': differences are painted as .png, .svg or .pdf", path);
     return EXIT_USAGE;
   }
+  const char *lack = f->lacks ? f->lacks() : NULL;
+  if (lack) {
+    diag_error(diag, NO_LOC, "%s: %s", path, lack);
+    return EXIT_ENVIRONMENT;
+  }
   Writer *w = writer_open(path);
   int error = w ? 0 : errno;
   if (w) {

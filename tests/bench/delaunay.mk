@@ -34,7 +34,7 @@ build/bench/bench_tables: tests/bench/bench_tables.c $(BENCH_TRI_OBJ)
 	$(Q)$(CC) -std=c11 $(BENCH_FLAGS) -o $@ $< $(BENCH_TRI_OBJ) -lstdc++ -lmpfr -lgmp -lm
 
 build/bench/draw_predicates: tests/bench/draw_predicates.c $(BENCH_TRI_OBJ)
-	$(Q)$(CC) -std=c11 $(BENCH_FLAGS) $(PKG_CFLAGS) -o $@ $< $(BENCH_TRI_OBJ) $(PKG_LIBS) -lstdc++ -lmpfr -lgmp -lm
+	$(Q)$(CC) -std=c11 $(BENCH_FLAGS) $(PKG_CFLAGS) -o $@ $< $(BENCH_TRI_OBJ) -lcairo -lstdc++ -lmpfr -lgmp -lm
 
 .PHONY: bench-tables docs-predicates
 ## bench-tables: walk steps, cavities and seconds for 10^3 .. 10^6 points, as in docs/internals/delaunay.md

@@ -54,3 +54,10 @@ absent "memory limit: no file" large.msh
 exits 1 "element limit" "$MESHGEN" -2 m.geo -max_elements 10 -o many.msh
 absent "element limit: no file" many.msh
 exits 3 "a log that cannot be written" "$MESHGEN" -2 m.geo -log no/such/log.txt -o x.msh
+mkdir lib && echo "no library" >lib/libcairo.so.2
+exits 3 "a picture without the library that draws it" env LD_LIBRARY_PATH=lib "$MESHGEN" m.msh -v 1 -o m.png
+says "libcairo.so.2, which cannot be loaded" "the library is named"
+absent "no picture is left" m.png
+cp m.msh n.msh
+exits 2 "a picture of differences without it" env LD_LIBRARY_PATH=lib "$MESHGEN" diff m.msh n.msh -o d.png
+exits 0 "SVG without it" env LD_LIBRARY_PATH=lib "$MESHGEN" m.msh -v 1 -o m.svg
