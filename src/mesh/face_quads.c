@@ -8,6 +8,9 @@
 
 #include "quad/quad_mesh.h"
 
+// The share of triangles that the greedy method leaves single on a coarse mesh.
+static const double GREEDY_SINGLE = 0.2;
+
 bool face_is_recombined(const Face *f, const Options *o) { return f->recombine || o->Mesh_RecombineAll; }
 
 bool face_is_split(const Model *m, const Face *f, const Mesh1d *curves, const Options *o)
@@ -23,13 +26,16 @@ bool face_is_split(const Model *m, const Face *f, const Mesh1d *curves, const Op
   return even;
 }
 
+// Algorithms 8 and 9 make triangles that are halves of squares, the others equilateral ones. Split, a pair becomes four quadrangles and a
+// single triangle three; without, triangles that the greedy method leaves are not made larger for it.
 double face_quads_size_factor(const Face *f, const Options *o, bool coarse)
 {
   int a = f->algorithm ? f->algorithm : o->Mesh_Algorithm, r = o->Mesh_RecombinationAlgorithm;
   if (!face_is_recombined(f, o)) return 1;
-  // The algorithms made for quadrangles make triangles that are halves of squares; greedy recombination leaves triangles.
-  double shape = a == 8 || a == 9 || r == QUAD_GREEDY || r == QUAD_SPLIT ? 1 : sqrt(2 / sqrt(3));
-  return coarse ? 2 * shape : shape;
+  double per_square = a == 8 || a == 9 ? 2 : sqrt(3);
+  if (!coarse) return r == QUAD_GREEDY ? 1 : sqrt(2 / per_square);
+  double single = r == QUAD_SPLIT ? 1 : r == QUAD_FULL_GREEDY ? GREEDY_SINGLE : 0;
+  return 2 * sqrt((2 + single) / per_square);
 }
 
 // ---- in -----------------------------------------------------------------------------------------------------------------

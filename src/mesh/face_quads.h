@@ -14,7 +14,8 @@ bool face_is_recombined(const Face *f, const Options *o);
 bool face_is_split(const Model *m, const Face *f, const Mesh1d *curves, const Options *o);
 
 // Size of the triangles over the wanted size of the quadrangles. Two equilateral triangles of side H make a rhombus with the
-// area of a square of side sqrt(sqrt(3)/2) H, which smoothing turns it into; splitting every element halves that.
+// area of a square of side sqrt(sqrt(3)/2) H, which smoothing turns it into; splitting every element halves that, and makes three
+// quadrangles of a triangle that is single.
 double face_quads_size_factor(const Face *f, const Options *o, bool coarse);
 
 // Edge lengths wanted in the plane of the face.

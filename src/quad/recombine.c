@@ -91,7 +91,7 @@ static bool find_partner(Greedy *g, uint32_t e, int depth)
   return false;
 }
 
-enum { GREEDY_DEPTH = 4 };
+enum { GREEDY_DEPTH = 6 };
 
 // Single triangles that a short exchange with their neighbours makes pairs of, the shortest first.
 static void exchange_pairs(Greedy *g, size_t ne)

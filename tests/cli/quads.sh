@@ -40,6 +40,10 @@ for method in 1 2 3 4; do
 done
 exits 0 "Blossom: sizes and angles" "$MESHGEN" -2 "$ROOT/geo/seed_rectangle.geo" -setnumber Mesh.RecombineAll 1 \
   -o r.msh -require "tau>=0.88" -require "mean_eta>=0.82" -require "irregular<90"
+for method in 2 3 4; do
+  exits 0 "method $method: sizes" "$MESHGEN" -2 "$ROOT/geo/seed_rectangle.geo" -setnumber Mesh.RecombineAll 1 \
+    -setnumber Mesh.RecombinationAlgorithm $method -o r.msh -require "tau>=0.8" -require "quads<1000"
+done
 exits 0 "algorithm 8: sizes and angles" "$MESHGEN" -2 "$ROOT/geo/seed_rectangle.geo" -setnumber Mesh.RecombineAll 1 -algo delquad \
   -o r.msh -require "tau>=0.9" -require "mean_eta>=0.86" -require "irregular<70"
 exits 0 "the greedy method leaves few" "$MESHGEN" -2 "$ROOT/geo/seed_rectangle.geo" -setnumber Mesh.RecombineAll 1 \
