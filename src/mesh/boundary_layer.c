@@ -360,36 +360,46 @@ static void add_walls(FaceLayers *f, const SegVec *seg)
   }
 }
 
-static void add_embedded(const Planner *p, FaceLayers *f, const Face *face)
+static void add_embedded_points(const Planner *p, FaceLayers *f, const Face *face)
 {
-  SegVec seg = {0};
-  for (size_t i = 0; i < face->embedded_curves.len; i++) add_curve_segments(p, face, face->embedded_curves.data[i], &seg);
-  for (size_t i = 0; i < seg.len; i++) {
-    if (seg.data[i].field)
-      diag_warning(p->diag, face->loc, "curve %d is embedded in surface %d: embedded curves get no layers",
-                   model_curve_at(p->m, seg.data[i].curve)->tag, face->tag);
-    uint32_t curve = seg.data[i].curve;
-    while (i + 1 < seg.len && seg.data[i + 1].curve == curve) i++;
-  }
-  for (size_t i = 0; i < seg.len; i++) seg.data[i].field = NULL;
-  add_walls(f, &seg);
   for (size_t i = 0; i < face->embedded_points.len; i++) {
     const Point *q = model_point(p->m, face->embedded_points.data[i]);
     if (!q) continue;
     Vec2 at = face_to_plane(face, q->xyz);
     vec_push(&f->wall, ((Wall){at, at, NONE, false}));
   }
-  vec_free(&seg);
 }
 
 // ---- walks round the face -------------------------------------------------------------------------------------------------
-// Loops may touch: at a point where several segments leave, the walk with the face on its left goes on along the first one to
-// the right of the way back.
+// Loops may touch, and embedded curves, which have the face on both sides, may begin on them: at a point where several segments
+// leave, the walk with the face on its left goes on along the first one to the right of the way back.
 typedef struct {
   SegVec seg;      // of all loops, each with the face on its left
   IntVec start;    // point tag where it begins, 0 inside a curve
   U32Vec next;
 } Walk;
+
+static void add_ring(const Planner *p, Walk *w, const SegVec *seg)
+{
+  size_t first = w->seg.len;
+  for (size_t i = 0; i < seg->len; i++) {
+    vec_push(&w->seg, seg->data[i]);
+    vec_push(&w->start, point_tag(p, &seg->data[i]));
+    vec_push(&w->next, (uint32_t)(first + (i + 1) % seg->len));
+  }
+}
+
+// There and back again.
+static void collect_embedded(const Planner *p, const Face *face, Walk *w)
+{
+  for (size_t i = 0; i < face->embedded_curves.len; i++) {
+    SegVec seg = {0};
+    add_curve_segments(p, face, face->embedded_curves.data[i], &seg);
+    add_curve_segments(p, face, -face->embedded_curves.data[i], &seg);
+    add_ring(p, w, &seg);
+    vec_free(&seg);
+  }
+}
 
 static void collect(const Planner *p, const Face *face, Walk *w)
 {
@@ -400,16 +410,12 @@ static void collect(const Planner *p, const Face *face, Walk *w)
     for (int i = start.data[l]; i < start.data[l + 1]; i++) add_curve_segments(p, face, curve.data[i], &seg);
     double area = area_of(&seg);
     if (l == 0 ? area < 0 : area > 0) turn_round(&seg);
-    size_t first = w->seg.len;
-    for (size_t i = 0; i < seg.len; i++) {
-      vec_push(&w->seg, seg.data[i]);
-      vec_push(&w->start, point_tag(p, &seg.data[i]));
-      vec_push(&w->next, (uint32_t)(first + (i + 1) % seg.len));
-    }
+    add_ring(p, w, &seg);
     vec_free(&seg);
   }
   vec_free(&curve);
   vec_free(&start);
+  collect_embedded(p, face, w);
 }
 
 // Angle from the way back along `in` clockwise to `out`, in (0, 2 pi].
@@ -472,7 +478,7 @@ static void plan_face(const Planner *p, FaceLayers *f, const Face *face)
     vec_free(&ring);
   }
   add_walls(f, &w.seg);
-  add_embedded(p, f, face);
+  add_embedded_points(p, f, face);
   free(seen);
   vec_free(&w.seg);
   vec_free(&w.start);
@@ -487,6 +493,7 @@ static bool face_has_layers(const Planner *p, const Face *face)
   bool found = false;
   face_boundary(p->m, face, &curve, &start);
   for (size_t i = 0; i < curve.len && !found; i++) found = field_of(p, face, abs(curve.data[i])) != NULL;
+  for (size_t i = 0; i < face->embedded_curves.len && !found; i++) found = field_of(p, face, abs(face->embedded_curves.data[i])) != NULL;
   vec_free(&curve);
   vec_free(&start);
   return found;

@@ -9,7 +9,8 @@
 // At a point of FanPointsList where the boundary turns away from the face by more than a straight angle, and where it turns by more
 // than 150 degrees anyway, a fan of columns stands on one node. Where the layer ends at a straight curve the last column lies on
 // that curve, whose nodes are changed accordingly; at other ends the layers run together in the end point, or end openly where
-// the boundary goes on nearly straight or turns away.
+// the boundary goes on nearly straight or turns away. An embedded curve of the list has layers on both sides, and a fan round an end
+// that stands free; where it begins on the boundary the layers of both go on into each other.
 #ifndef MESH_BOUNDARY_LAYER_H
 #define MESH_BOUNDARY_LAYER_H
 

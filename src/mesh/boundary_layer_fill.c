@@ -154,7 +154,8 @@ static void fill_chain(Filler *f, const Chain *c, FaceGraph *g)
 
 // Nodes at the two ends of each curve that columns have taken.
 typedef struct {
-  uint32_t *skip; // per curve and end: edges to leave out; NONE - 1 at the begin: all of them
+  uint32_t *skip;  // per curve and end: edges to leave out; NONE - 1 at the begin: all of them
+  uint8_t *column; // per curve and end: columns there. An embedded curve with a column on one side bounds the rest on the other
 } Taken;
 #define ALL (NONE - 1)
 
@@ -171,8 +172,13 @@ static void add_curve(void *ctx, int tag, bool embedded)
   uint32_t k = mesh1d_index(r->f->curves, tag);
   size_t n = r->f->curves->curve[k].n;
   if (n < 2 || skip[2 * k] == ALL) return;
-  for (size_t i = skip[2 * k]; i + 1 + skip[2 * k + 1] < n; i++)
-    add_segment(r->g, r->f, node_on_curve(r->f, k, false, i), node_on_curve(r->f, k, false, i + 1), abs(tag), embedded);
+  bool one_sided[2] = {embedded && r->taken->column[2 * k] == 1, embedded && r->taken->column[2 * k + 1] == 1};
+  for (size_t i = 0; i + 1 < n; i++) {
+    bool at_begin = i < skip[2 * k], at_end = i + 1 + skip[2 * k + 1] >= n;
+    if ((at_begin && !one_sided[0]) || (at_end && !one_sided[1])) continue;
+    add_segment(r->g, r->f, node_on_curve(r->f, k, false, i), node_on_curve(r->f, k, false, i + 1), abs(tag),
+                embedded && !at_begin && !at_end);
+  }
 }
 
 static void add_point(void *ctx, uint32_t node)
@@ -184,13 +190,16 @@ static void add_point(void *ctx, uint32_t node)
 static void mark_taken(const Filler *f, Taken *t)
 {
   t->skip = mem_zalloc(2 * (f->curves->ncurve + 1) * sizeof *t->skip);
+  t->column = mem_zalloc(2 * (f->curves->ncurve + 1) * sizeof *t->column);
   for (size_t j = 0; j < f->f->chain.len; j++) {
     const Chain *c = &f->f->chain.data[j];
     if (c->dropped) continue;
     for (size_t i = 0; i < c->col.len; i++) {
       const Column *k = &c->col.data[i];
       t->skip[2 * k->curve] = ALL;
-      if (k->on != NONE && k->s > 0) t->skip[2 * k->on + k->on_end] = (uint32_t)c->field->height.len;
+      if (k->on == NONE || !(k->s > 0)) continue;
+      t->skip[2 * k->on + k->on_end] = (uint32_t)c->field->height.len;
+      t->column[2 * k->on + k->on_end]++;
     }
   }
 }
@@ -206,6 +215,7 @@ void boundary_layers_fill(const BoundaryLayers *b, size_t k, const Mesh1d *curve
   Rest rest = {g, &f, &taken};
   face_graph_visit(curves->model, f.face, &visitor, &rest);
   free(taken.skip);
+  free(taken.column);
   vec_free(&f.own_xy);
   vec_free(&f.height);
   out->own = f.own.data;

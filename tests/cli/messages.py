@@ -274,8 +274,6 @@ SCRIPTS = [
     (1, "BoundaryLayer Field: field 7", SQUARE + "BoundaryLayer Field=7;", []),
     (0, "makes no layer: its first height", SQUARE + "Field[1]=BoundaryLayer; Field[1].CurvesList={1}; Field[1].Size=.1;"
      "Field[1].Thickness=.01; BoundaryLayer Field=1;", []),
-    (0, "embedded curves get no layers", EMBEDDED + "Field[1]=BoundaryLayer; Field[1].CurvesList={1,9}; Field[1].Size=.01; Field[1].Thickness=.05;"
-     "BoundaryLayer Field=1;", []),
     (1, "Beta must be above 1 and NbLayers between 1 and", SQUARE + "Field[1]=BoundaryLayer; Field[1].CurvesList={1}; Field[1].BetaLaw=1;"
      "Field[1].Beta=.5; Field[1].Size=.01; BoundaryLayer Field=1;", []),
     (0, "cannot be meshed in the layers of its extrusion", "Point(1)={0,0,0,.3}; Point(2)={1,0,0,.3}; Line(1)={1,2};"

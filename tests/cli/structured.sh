@@ -56,6 +56,29 @@ name="surfaces along normals"
 want=1 mesh "$square Extrude{Surface{1};Layers{2,.1};}"
 says "takes curves alone" "surfaces are refused"
 
+# ---- boundary layers on embedded curves ----
+channel='Point(1)={0,0,0,.1};Point(2)={1,0,0,.1};Point(3)={2,0,0,.1};Point(4)={2,1,0,.1};Point(5)={0,1,0,.1};Line(1)={1,2};Line(2)={2,3};
+Line(3)={3,4};Line(4)={4,5};Line(5)={5,1};Curve Loop(1)={1:5};Plane Surface(1)={1};Point(6)={1,.5,0,.1};Line(6)={2,6};Curve{6} In Surface{1};
+Physical Surface(1)={1};Field[1]=BoundaryLayer;Field[1].Size=.01;Field[1].Ratio=1.3;Field[1].Thickness=.04;Field[1].Quads=1;BoundaryLayer Field=1;'
+name="a fin with layers on both sides"
+mesh "$channel Field[1].CurvesList={6};"
+prints "42 quadrangles" "5 edges, 3 layers on either side, and a fan round the tip"
+check "fit together" "$MESHGEN" check a.msh
+name="a fin on a wall, both with layers"
+mesh "$channel Field[1].CurvesList={1,2,6};"
+prints "102 quadrangles" "the layers of both go on into each other"
+prints "                                  670  2" "nothing is lost of the face"
+name="layers that end at a fin"
+mesh "$channel Field[1].CurvesList={1};Field[1].PointsList={1,2};"
+prints "30 quadrangles" "ten edges, three layers"
+check "their last column lies on it" "$MESHGEN" check a.msh
+name="a cut with three arms"
+mesh "$channel Point(7)={.5,.5,0,.1};Point(8)={.2,.3,0,.1};Point(9)={.2,.7,0,.1};Point(10)={.8,.5,0,.1};Line(7)={7,8};Line(8)={7,9};Line(9)={10,7};
+Curve{7,8,9} In Surface{1}; Field[1].CurvesList={7,8,9};"
+prints "  2
+" "nothing is lost of the face"
+check "has layers all round" "$MESHGEN" check a.msh
+
 # ---- faces that copy faces ----
 name="a box of layers"
 mesh 'Point(1)={2,0,0};l[]=Extrude{1,0,0}{Point{1};Layers{4};};s[]=Extrude{0,1,0}{Curve{l[1]};Layers{4};Recombine;};
