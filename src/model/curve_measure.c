@@ -4,6 +4,8 @@
 
 #include "model/curve_int.h"
 
+#include <float.h>
+
 #define PI 3.14159265358979323846
 
 // ---- length -----------------------------------------------------------------------------------------------------------
@@ -36,12 +38,20 @@ static double gauss(const Speed *f, double a, double b)
   return sum * half;
 }
 
-// Halve until two halves agree with the whole. `scale` is the size of the integral all in all.
-static double integrate(const Speed *f, double a, double b, double whole, double scale, int depth)
+// Halve until two halves agree with the whole.
+static double integrate(const Speed *f, double a, double b, double whole, double tolerance, int depth)
 {
   double mid = (a + b) / 2, left = gauss(f, a, mid), right = gauss(f, mid, b);
-  if (depth == 0 || fabs(left + right - whole) <= 1e-14 * scale) return left + right;
-  return integrate(f, a, mid, left, scale, depth - 1) + integrate(f, mid, b, right, scale, depth - 1);
+  if (depth == 0 || fabs(left + right - whole) <= tolerance) return left + right;
+  return integrate(f, a, mid, left, tolerance, depth - 1) + integrate(f, mid, b, right, tolerance, depth - 1);
+}
+
+// What rounding leaves of the differences of the control points: no halving finds more.
+static double rounding(const Vec3 *b, int degree)
+{
+  double size = 0;
+  for (int i = 0; i <= degree; i++) size = fmax(size, fabs(b[i].x) + fabs(b[i].y) + fabs(b[i].z));
+  return degree * DBL_EPSILON * size;
 }
 
 double curve_length(const Model *m, const Curve *c)
@@ -52,14 +62,15 @@ double curve_length(const Model *m, const Curve *c)
     if (h->circle) return vec3_length(h->a) * fabs(h->t1 - h->t0);
     Speed f = {h, 0};
     double whole = gauss(&f, h->t0, h->t1);
-    return fabs(integrate(&f, h->t0, h->t1, whole, fabs(whole), 40));
+    return fabs(integrate(&f, h->t0, h->t1, whole, 1e-14 * fabs(whole), 40));
   }
   double sum = 0, lost = 0; // Neumaier: thousands of pieces may add up
   for (int i = 0; i < h->npiece; i++) {
     Speed f = {h, i};
     const Vec3 *b = shape__control(h, i);
     double whole = h->degree == 1 ? 0 : gauss(&f, 0, 1);
-    double part = h->degree == 1 ? vec3_distance(b[0], b[1]) : integrate(&f, 0, 1, whole, whole, 40);
+    double tolerance = 1e-14 * whole + rounding(b, h->degree);
+    double part = h->degree == 1 ? vec3_distance(b[0], b[1]) : integrate(&f, 0, 1, whole, tolerance, 40);
     double t = sum + part;
     lost += fabs(sum) >= part ? (sum - t) + part : (part - t) + sum;
     sum = t;

@@ -212,6 +212,25 @@ static void lengths(void **state)
   teardown(&f);
 }
 
+// Points that are equal but for the last bits, as turned copies have them: halving ends where rounding begins, not after 2^40 pieces.
+static void lengths_of_nearly_equal_points(void **state)
+{
+  (void)state;
+  Fix f = {model_new(), diag_new(false)};
+  IntVec p = {0};
+  vec_push(&p, model_add_point(f.m, -1, (Vec3){100, 49, 0}, 0, NO_LOC, f.d));
+  for (int i = 0; i < 40; i++)
+    vec_push(&p, model_add_point(f.m, -1, (Vec3){100 + (i * i % 5) * 1.4e-14, 50 + (i * 3 % 4) * 7e-15, 0}, 0, NO_LOC, f.d));
+  vec_push(&p, model_add_point(f.m, -1, (Vec3){100, 51, 0}, 0, NO_LOC, f.d));
+  add(&f, CURVE_SPLINE, 1, p.data, p.len);
+  assert_true(model_prepare(f.m, 1e-8, f.d));
+  // Past the first and before the last of the equal points the curve goes on by half of 4/27, and comes back.
+  assert_true(fabs(curve_length(f.m, model_curve(f.m, 1)) - (2 + 8. / 27)) < 1e-12);
+  vec_free(&p);
+  model_free(f.m);
+  diag_free(f.d);
+}
+
 static void boxes(void **state)
 {
   (void)state;
@@ -364,7 +383,7 @@ int main(void)
 {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(positions_as_measured), cmocka_unit_test(ends_are_the_points), cmocka_unit_test(derivatives),
-    cmocka_unit_test(lengths),               cmocka_unit_test(boxes),               cmocka_unit_test(nearest),
+    cmocka_unit_test(lengths), cmocka_unit_test(lengths_of_nearly_equal_points),               cmocka_unit_test(boxes),               cmocka_unit_test(nearest),
     cmocka_unit_test(straight),              cmocka_unit_test(closed_bspline),      cmocka_unit_test(a_chain),
       cmocka_unit_test(arcs_that_are_none),
   };
