@@ -112,6 +112,32 @@ void face__drop(Model *m, int tag)
   table__remove(&m->face, tag);
 }
 
+static bool loop_in_use(const Model *m, int tag)
+{
+  for (uint32_t s = 0; s < m->face.used; s++) {
+    const Face *f = table__slot(&m->face, s);
+    for (int k = 0; f->tag != DEAD_TAG && k < f->nloop; k++)
+      if (tag__abs(f->loop[k]) == tag) return true;
+  }
+  return false;
+}
+
+void face__drop_whole(Model *m, int tag)
+{
+  const Face *f = table__get(&m->face, tag);
+  const int *loop = f->loop; // the arena keeps it
+  int n = f->nloop;
+  face__drop(m, tag);
+  if (!m->set.opencascade) return;
+  for (int i = 0; i < n; i++) {
+    Loop *l = table__get(&m->loop, tag__abs(loop[i]));
+    if (!l || loop_in_use(m, l->tag)) continue;
+    for (int j = 0; l->sorted && j < l->ncurve; j++) model_curve(m, l->curve[j])->in_loops--;
+    table__remove(&m->loop, l->tag);
+  }
+  model__recount(m, KIND_LOOP);
+}
+
 Volume *volume__make(Model *m, int tag, const int *face, int nface, SrcLoc loc)
 {
   Volume *v = table__add(&m->volume, tag);

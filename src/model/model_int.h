@@ -142,6 +142,7 @@ Face *face__make(Model *m, int tag, FaceType type, const int *loop, int nloop, S
 Volume *volume__make(Model *m, int tag, const int *face, int nface, SrcLoc loc);
 void curve__drop(Model *m, int tag); // remove, with its uses of points
 void face__drop(Model *m, int tag);  // remove, with its uses of curves
+void face__drop_whole(Model *m, int tag); // with its loops too, but for those of other faces, where that is OpenCASCADE's way
 void face__count_uses(Model *m, const Face *f, int delta);
 static inline int curve__from(const Model *m, int signed_tag)
 {

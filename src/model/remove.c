@@ -51,7 +51,8 @@ static void delete_face(Model *m, int tag, bool recursive)
   if (!f || f->uses) return;
   IntVec curve = {0}, start = {0};
   if (recursive) face_boundary(m, f, &curve, &start);
-  face__drop(m, tag);
+  if (recursive) face__drop_whole(m, tag);
+  else face__drop(m, tag);
   if (tag == m->max[KIND_FACE]) m->max[KIND_FACE]--;
   for (size_t i = 0; i < curve.len; i++) delete_curve(m, tag__abs(curve.data[i]), true);
   vec_free(&curve);

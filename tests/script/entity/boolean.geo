@@ -42,3 +42,12 @@ BooleanUnion{ Surface{1}; }{ Curve{1}; }         // expect error: works on plane
 BooleanFragments{ Curve{50}; }{ }                // expect error: curve 50, which does not exist
 Rectangle(60) = {0,0,5, 1,1};
 BooleanUnion{ Surface{1}; }{ Surface{60}; }      // expect error: all must be in one plane
+Delete All;                                      // expect: [delete 0]
+// the loop of a face that an operation took is free again
+Point(1) = {0,0,0}; Point(2) = {2,0,0}; Point(3) = {0,2,0}; Line(1) = {1,2}; Line(2) = {2,3}; Line(3) = {3,1};
+Curve Loop(7) = {1:3}; Plane Surface(1) = {7}; Disk(2) = {.5,.5,0, .2};
+o() = BooleanDifference{ Surface{1}; Delete; }{ Surface{2}; Delete; };
+Curve Loop(7) = {4};                             // expect note: curve loop 7 was made here
+Plane Surface(4) = {7}; Plane Surface(5) = {7};
+Recursive Delete { Surface{4}; }
+Curve Loop(7) = {4};                             // expect error: curve loop 7 exists already
