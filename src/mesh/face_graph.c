@@ -170,7 +170,7 @@ static bool recover(Tri *t, const FaceGraph *g, const Model *m, const Face *f, D
   return said == 0;
 }
 
-// Embedded points and curves must lie in the face: every segment and vertex needs a triangle of the face beside it.
+// Embedded curves must lie in the face: every segment needs a triangle of the face beside it. Points may be left out.
 static bool embedded_inside(const Tri *t, const FaceGraph *g, const Face *f, Diag *diag)
 {
   bool *seen = mem_zalloc((g->node.len + g->curve.len) * sizeof *seen), good = true;
@@ -192,8 +192,7 @@ static bool embedded_inside(const Tri *t, const FaceGraph *g, const Face *f, Dia
   for (size_t i = 0; i < g->node.len && good; i++) {
     if (seen[i]) continue;
     Vec3 q = face_from_plane(f, (Vec2){g->xy.data[2 * i], g->xy.data[2 * i + 1]});
-    diag_error(diag, f->loc, "embedded point at (%g, %g, %g) is outside surface %d", q.x, q.y, q.z, f->tag);
-    good = false;
+    diag_warning(diag, f->loc, "embedded point at (%g, %g, %g) is outside surface %d: it is left out", q.x, q.y, q.z, f->tag);
   }
   free(seen);
   return good;

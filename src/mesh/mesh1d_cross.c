@@ -322,6 +322,46 @@ static int meet_at_ends(Untangler *t, const Curve *a, const Curve *b)
   return meet_at_point(t, a, b->begin) + (b->end != b->begin && meet_at_point(t, a, b->end));
 }
 
+static bool box_has(const Box3 *b, Vec3 p, double d)
+{
+  return p.x >= b->lo.x - d && p.x <= b->hi.x + d && p.y >= b->lo.y - d && p.y <= b->hi.y + d && p.z >= b->lo.z - d && p.z <= b->hi.z + d;
+}
+
+// What prescribes the nodes of a curve forbids to cut it.
+static bool is_prescribed(const Curve *c)
+{
+  return c->transfinite > 0 || c->layers.n || c->copy_of || c->periodic_master || c->joined || c->degenerate || c->dissolved;
+}
+
+// Points embedded in a face that lie on a curve of it: the curve is cut there. O(points times curves), of boxes.
+static void meet_embedded_points(Untangler *t, const Face *f)
+{
+  const Model *m = t->g->model;
+  IntVec tag = {0}, start = {0};
+  face_boundary(m, f, &tag, &start);
+  for (size_t i = 0; i < f->embedded_curves.len; i++) vec_push(&tag, f->embedded_curves.data[i]);
+  for (size_t i = 0; i < tag.len; i++) {
+    const Curve *c = model_curve(m, tag.data[i]);
+    if (!c || is_prescribed(c)) continue;
+    Box3 box = curve_bounds(m, c);
+    for (size_t k = 0; k < f->embedded_points.len; k++) {
+      const Point *p = model_point(m, f->embedded_points.data[k]);
+      if (p && box_has(&box, p->xyz, t->at_end)) meet_at_point(t, c, p->tag);
+    }
+  }
+  vec_free(&tag);
+  vec_free(&start);
+}
+
+static bool points_on_curves(Untangler *t)
+{
+  for (size_t i = 0; t->meet && i < model_faces(t->g->model); i++) {
+    const Face *f = model_face_at(t->g->model, i);
+    if (f->embedded_points.len && f->planar && !f->transfinite) meet_embedded_points(t, f);
+  }
+  return t->meet && t->meet->len;
+}
+
 // Where two edges that are on their curves meet: the ends of a touching or overlapping one, or the crossing.
 static Vec3 meeting_point(const Face *frame, const double *a, const double *b, const double *c, const double *d, SegMeet how)
 {
@@ -483,7 +523,7 @@ bool mesh1d__untangle(Mesh1d *g, const Options *opt, CurveMeetings *meet, Diag *
   t.bounds_of = mem_zalloc((g->ncurve + 1) * sizeof *t.bounds_of);
   t.split = mem_zalloc((g->ncurve + 1) * sizeof *t.split);
   find_planes(&t);
-  bool good = run_rounds(&t);
+  bool good = !points_on_curves(&t) && run_rounds(&t);
   for (size_t k = 0; k < g->ncurve; k++) {
     vec_free(&t.faces_of[k]);
     vec_free(&t.bounds_of[k]);

@@ -633,6 +633,19 @@ void model_coherence(Model *m, Diag *diag)
   merged__free(&g);
 }
 
+bool model_join_points(Model *m, const int *point, size_t n, SrcLoc loc, Diag *diag)
+{
+  for (size_t i = 0; i < n; i++)
+    if (!point__get(m, point[i])) {
+      diag_error(diag, loc, "point %d does not exist", point[i]);
+      return false;
+    }
+  model__unprepare(m);
+  for (size_t i = 1; i < n; i++) model__point_moves(m, point__get(m, point[i]), point__get(m, point[0])->xyz);
+  model_coherence(m, diag);
+  return true;
+}
+
 void model__index_free(Model *m)
 {
   chains__clear(&m->cell);

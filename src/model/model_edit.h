@@ -93,6 +93,8 @@ bool model_transform(Model *m, const Shape *shape, size_t n, const Affine *a, Sr
 bool model_duplicate(Model *m, const Shape *shape, size_t n, ShapeVec *out, SrcLoc loc, Diag *diag);
 // Merge equal points, curves, faces; the lowest tag survives, also in groups. O(n log n).
 void model_coherence(Model *m, Diag *diag);
+// Move the points to where the first is, then coherence. False (reported) if one does not exist.
+bool model_join_points(Model *m, const int *point, size_t n, SrcLoc loc, Diag *diag);
 
 // ---- Boolean operations on plane faces -----------------------------------------------------------------------------------
 typedef enum { BOOLEAN_UNION, BOOLEAN_INTERSECTION, BOOLEAN_DIFFERENCE, BOOLEAN_FRAGMENTS } BooleanOp;

@@ -184,7 +184,7 @@ Node *parse__visibility(Parser *p)
   return n;
 }
 
-// coherence -> "Coherence" ["Geometry" | "Mesh"] ";"
+// coherence -> "Coherence" ["Geometry" | "Mesh" | "Point" list] ";"
 Node *parse__coherence(Parser *p)
 {
   Token t = parse__advance(p);
@@ -192,7 +192,7 @@ Node *parse__coherence(Parser *p)
   uint32_t word = KW_COUNT;
   if (p->tok.kind == TOK_WORD) {
     word = parse__advance(p).word;
-    if (!parse__at(p, ';')) parse__push(p, parse__list(p)); // Coherence Point {..}
+    if (word == KW_Point) parse__push(p, parse__list(p));
   }
   parse__semicolon(p);
   return parse__word_node(p, NODE_COHERENCE, t.loc, word, base);

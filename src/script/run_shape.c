@@ -307,11 +307,15 @@ void run_delete(Script *s, const Node *n)
 
 void run_coherence(Script *s, const Node *n)
 {
-  if (n->n)
-    script__error(s, n->loc, "only 'Coherence;' for the whole model is supported");
-  else if (n->word != KW_Mesh &&
-           script__charge(s, COST_ENTITY * (uint64_t)model_points(s->model) / 4, n->loc))
-    model_coherence(s->model, s->diag);
+  if (n->word == KW_Mesh || !script__charge(s, COST_ENTITY * (uint64_t)model_points(s->model) / 4, n->loc)) return;
+  if (n->n) {
+    IntVec point = {0};
+    eval_ints(s, n->kid[0], 0, &point);
+    if (!model_join_points(s->model, point.data, point.len, n->loc, s->diag)) s->faults++;
+    vec_free(&point);
+    return;
+  }
+  model_coherence(s->model, s->diag);
 }
 
 // ---- periodicity: here for its maps ---------------------------------------------

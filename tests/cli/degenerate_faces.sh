@@ -104,3 +104,21 @@ Circle(8) = {11, 10, 12};Circle(9) = {12, 10, 11};
 Line{8, 9} In Surface{1};
 END
 all_ways emb 15.999999999 16.000000001
+
+# ---- embedded points on curves, and outside ----
+cat >points.geo <<'G'
+h = .3; Point(1) = {0, 0, 0, h}; Point(2) = {1, 0, 0, h}; Point(3) = {1, 1, 0, h}; Point(4) = {0, 1, 0, h};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1}; Curve Loop(1) = {1:4};
+Point(20) = {.5, .7, 0, h}; Point(21) = {.7, .7, 0, h}; Point(22) = {.3, .7, 0, h}; Circle(5) = {21, 20, 22}; Circle(6) = {22, 20, 21};
+Curve Loop(2) = {5, 6}; Plane Surface(1) = {1, 2};
+Point(14) = {.3, .2, 0, h}; Point(15) = {.7, .2, 0, h}; Line(15) = {14, 15}; Curve{15} In Surface{1};
+Point(10) = {.4, 0, 0, h}; Point(11) = {.5 + .2*Cos(1), .7 + .2*Sin(1), 0, h}; Point(12) = {.35, .2, 0, h}; Point(13) = {.5, .7, 0, h};
+Point{10:13} In Surface{1};
+Physical Point(9) = {10:13}; Physical Curve(1) = {1:4}; Physical Curve(2) = {15}; Physical Surface(3) = {1};
+G
+exits 0 "embedded points on a side, an arc and an embedded line" "$MESHGEN" -2 points.geo -format msh2 -o p.msh
+says "embedded point at (0.5, 0.7, 0) is outside surface 1: it is left out" "one in a hole is left out"
+prints "  4" "no length is lost"
+check "they fit together" "$MESHGEN" check p.msh
+check "all three are in triangles" awk '/^\$Elements/ { on = 1 } on && $2 == 15 { p[$6] = 1 } on && $2 == 2 { for (i = 6; i <= 8; i++) if ($i in p) used[$i] = 1 }
+  END { for (i in used) n++; exit n != 3 }' p.msh

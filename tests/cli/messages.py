@@ -251,7 +251,7 @@ SCRIPTS = [
      SQUARES + "Physical Surface(1)={1};", []),
     (0, "algorithm 7 (BAMG) is not available; Frontal-Delaunay is used", SQUARE, ["-algo", "7"]),
     (0, "algorithm 11 (quasi-structured) is not available; Frontal-Delaunay for quads is used", SQUARE, ["-algo", "11"]),
-    (1, "embedded point at (5, 5, 0) is outside surface 1", SQUARE + "Point(9)={5,5,0,h}; Point{9} In Surface{1};", []),
+    (0, "embedded point at (5, 5, 0) is outside surface 1: it is left out", SQUARE + "Point(9)={5,5,0,h}; Point{9} In Surface{1};", []),
     (1, "curve 9 is outside surface 1 near", SQUARE + "Point(9)={5,5,0,h}; Point(10)={6,5,0,h}; Line(9)={9,10}; Curve{9} In Surface{1};", []),
     (0, "curves meet: 2 cuts made in them, round 1", SQUARE + "Point(9)={.2,.5,0,h}; Point(10)={.8,.5,0,h}; Point(11)={.5,.2,0,h};"
      "Point(12)={.5,.8,0,h}; Line(9)={9,10}; Line(10)={11,12}; Curve{9,10} In Surface{1};", ["-heal", "-v", "4"]),
@@ -290,7 +290,8 @@ SCRIPTS = [
      "Point(4)={0,.01,0,h}; Line(1)={1,2}; Line(2)={2,3}; Line(3)={3,4}; Line(4)={4,1}; Curve Loop(1)={1:4}; Plane Surface(1)={1};"
      "Transfinite Curve{1,3}=2;", ["-min_angle", "25"]),
     (1, "nodes that coincide with others, the first at (0, 0, 0)", SQUARE + "Point(9)={0,0,0,h}; Point{9} In Surface{1};", []),
-    (1, "passes through a node that is not its own at (0.1, 0, 0)", SQUARE + "Point(9)={.1,0,0,h}; Point{9} In Surface{1};", []),
+    (1, "passes through a node that is not its own at (0.1, 0, 0)", SQUARE + "Point(9)={.1,0,0,h}; Point{9} In Surface{1};"
+     "Transfinite Curve{1}=5;", []),
     (0, "nothing is left of surface 1, others lie on all of it: it goes", SQUARE + "Point(11)={-1,-1,0,h}; Point(12)={2,-1,0,h}; Point(13)={2,2,0,h};"
      "Point(14)={-1,2,0,h}; Line(11)={11,12}; Line(12)={12,13}; Line(13)={13,14}; Line(14)={14,11}; Curve Loop(2)={11:14}; Plane Surface(2)={2};"
      "Point(21)={.5,-2,0,h}; Point(22)={.5,3,0,h}; Line(21)={21,22};", ["-heal", "-v", "4"]),

@@ -22,6 +22,11 @@ Delete Everything;                               // expect error: unknown variab
 Delete;                                          // expect error: expected shapes in braces, or what to delete
 Recursive Points;                                // expect error: expected Delete, Show, Hide or Color after 'Recursive'
 Coherence; Coherence Mesh; Coherence Geometry;
-Coherence Point {1, 2};                          // expect error: only 'Coherence;' for the whole model is supported
+Coherence Point {1, 77};                         // expect error: point 77 does not exist
+Coherence 5;                                     // expect error: expected ';'
+Point(21) = {8, 8, 0}; Point(22) = {9, 8, 0}; Point(23) = {9, 9, 0}; Line(21) = {21, 22}; Line(22) = {23, 21};
+Coherence Point {23, 22};
+b[] = Boundary{ Line{21}; }; Printf("b", b[]);   // expect: b [0]21 [1]22
+b[] = Point{22}; Printf("b", b[]);               // expect: b [0]9 [1]9 [2]0
 Delete Model;                                    // expect: [delete 0]
 Printf("%g", newp);                              // expect: 1
