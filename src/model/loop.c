@@ -125,13 +125,22 @@ static void odd_points(const Ends *e, IntVec *point, IntVec *curve)
   map_free(&degree);
 }
 
+// Loops that extrusions made have no number of their own to speak of.
+static void name_of(const Loop *l, char name[32])
+{
+  if (l->tag >= HIDDEN_LOOP) snprintf(name, 32, "the boundary of a surface");
+  else snprintf(name, 32, "curve loop %d", l->tag);
+}
+
 // The gap: the open end first met, and the open end nearest to it.
 static void report_gap(const Ends *e, const Loop *l, Diag *diag)
 {
   IntVec point = {0}, curve = {0};
+  char name[32];
   odd_points(e, &point, &curve);
+  name_of(l, name);
   if (point.len < 2) {
-    diag_error(diag, l->loc, "curve loop %d is not closed: its curves do not follow one another", l->tag);
+    diag_error(diag, l->loc, "%s is not closed: its curves do not follow one another", name);
   } else {
     Vec3 p = model_point(e->m, point.data[0])->xyz;
     size_t best = 1;
@@ -145,9 +154,9 @@ static void report_gap(const Ends *e, const Loop *l, Diag *diag)
     }
     Vec3 q = model_point(e->m, point.data[best])->xyz;
     diag_error(diag, l->loc,
-               "curve loop %d is not closed: curve %d ends at point %d (%.10g, %.10g, %.10g) and curve %d at point %d "
+               "%s is not closed: curve %d ends at point %d (%.10g, %.10g, %.10g) and curve %d at point %d "
                "(%.10g, %.10g, %.10g), %.6g apart",
-               l->tag, curve.data[0], point.data[0], p.x, p.y, p.z, curve.data[best], point.data[best], q.x, q.y, q.z, least);
+               name, curve.data[0], point.data[0], p.x, p.y, p.z, curve.data[best], point.data[best], q.x, q.y, q.z, least);
     if (least == 0)
       diag_note(diag, model_point(e->m, point.data[best])->loc, "the two points coincide; 'Coherence;' makes them one");
   }

@@ -170,7 +170,7 @@ void model__note_tag(Model *m, Kind k, int tag)
 int model_new_tag(const Model *m, Kind k)
 {
   int max = m->max[k];
-  if (k != KIND_POINT && m->set.old_newreg)
+  if (k == KIND_GROUP || (k != KIND_POINT && m->set.old_newreg)) // newreg is new to all kinds but points
     for (int i = KIND_CURVE; i < KIND_COUNT; i++) max = MAX(max, m->max[i]);
   return max + 1;
 }

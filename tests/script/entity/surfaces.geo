@@ -16,7 +16,7 @@ Surface Loop(1) = {1, 2};
 Volume(1) = {1};
 Printf("%g %g %g %g %g %g %g", newll, news, newsl, newv, newreg, newcl, newp); // expect: 9 9 9 9 9 9 9
 Geometry.OldNewReg = 0;
-Printf("%g %g %g %g %g", newl, newll, news, newsl, newv); // expect: 9 4 7 2 2
+Printf("%g %g %g %g %g %g", newl, newll, news, newsl, newv, newreg); // expect: 9 4 7 2 2 9
 BSpline Surface(9) = {1};                        // expect error: BSpline Surface is not supported
 Parametric Surface(9) = "u" "v" "0";             // expect error: Parametric Surface is not supported
 PolarSphere(1) = {1, 99};                        // expect error: PolarSphere 1 uses point 99, which does not exist
