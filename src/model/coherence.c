@@ -203,6 +203,12 @@ static void point_lists_follow(Model *m, const Merged *g)
   }
 }
 
+// Numbers of what was merged are free again, but with OldNewReg = 0.
+static void recount(Model *m, Kind k)
+{
+  if (m->set.old_newreg || m->set.opencascade) model__recount(m, k);
+}
+
 static void merge_points(Model *m, Merged *g)
 {
   find_equal_points(m, g);
@@ -224,7 +230,7 @@ static void merge_points(Model *m, Merged *g)
   }
   point_lists_follow(m, g);
   for (size_t i = 0; i < g->gone[0].len; i++) table__remove(&m->point, g->gone[0].data[i]);
-  model__recount(m, KIND_POINT);
+  recount(m, KIND_POINT);
   vec_clear(&m->dirty[0]);
 }
 
@@ -519,7 +525,7 @@ static void merge_curves(Model *m, Merged *g)
   if (still_used(m, g)) all_loops_follow(m, g);
   curve_lists_follow(m, g);
   for (size_t i = 0; i < g->gone[1].len; i++) curve__drop(m, g->gone[1].data[i]);
-  model__recount(m, KIND_CURVE);
+  recount(m, KIND_CURVE);
 }
 
 // ---- faces ------------------------------------------------------------------------------------------------------------
@@ -602,7 +608,7 @@ static void merge_faces(Model *m, Merged *g)
     if (l->tag != DEAD_TAG) replace_tags(g, 2, l->face, (size_t)l->nface);
   }
   for (size_t i = 0; i < g->gone[2].len; i++) face__drop(m, g->gone[2].data[i]);
-  model__recount(m, KIND_FACE);
+  recount(m, KIND_FACE);
 }
 
 // ---- all --------------------------------------------------------------------------------------------------------------

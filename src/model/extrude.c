@@ -383,13 +383,14 @@ bool model_extrude(Model *m, const Shape *shape, size_t n, const Sweep *sweep, S
   bool good = true;
   for (size_t i = 0; i < n; i++) {
     Kind k = dim__kind(shape[i].dim);
-    if (shape[i].dim == 3 || !model_has(m, shape[i].dim, shape[i].tag)) {
-      if (shape[i].dim == 3)
-        diag_error(diag, loc, "cannot extrude a volume");
-      else if (!model__refused(m, k, shape[i].tag))
-        diag_error(diag, loc, "cannot extrude %s %d: it does not exist", kind__name(k), tag__abs(shape[i].tag));
+    if (shape[i].dim == 3) {
+      diag_error(diag, loc, "cannot extrude a volume");
       good = false;
       break;
+    }
+    if (!model_has(m, shape[i].dim, shape[i].tag)) {
+      if (!model__refused(m, k, shape[i].tag)) diag_warning(diag, loc, "Extrude: there is no %s %d", kind__name(k), tag__abs(shape[i].tag));
+      continue;
     }
     if (shape[i].dim == 0) extrude_point(&j, tag__abs(shape[i].tag), out);
     if (shape[i].dim == 1) extrude_curve(&j, shape[i].tag, out);

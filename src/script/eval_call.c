@@ -42,6 +42,22 @@ static double server_number(Script *s, const Node *n)
   return n->n > 1 ? eval_number(s, n->kid[1]) : 0;
 }
 
+// The numbers that rand() of the GNU C library gives from its first seed on, over RAND_MAX, as scripts with Rand were seen by their
+// authors: x[i] = x[i - 3] + x[i - 31] on 32 bits, of which the last is dropped, after 310 steps unused.
+static double random_share(Script *s)
+{
+  uint32_t *x = s->random;
+  if (!s->random_at) {
+    x[0] = 1;
+    for (int i = 1; i < 31; i++) x[i] = (uint32_t)(16807ull * x[i - 1] % 2147483647u);
+    for (s->random_at = 34; s->random_at < 344; s->random_at++) x[s->random_at % 31] += x[(s->random_at + 28) % 31];
+  }
+  uint32_t i = s->random_at++ % 31;
+  if (s->random_at == 344 + 31) s->random_at = 344;
+  x[i] += x[(i + 28) % 31];
+  return (x[i] >> 1) / 2147483647.0;
+}
+
 double call_number(Script *s, const Node *n)
 {
   const FunctionRow *f = function_at(n->op);
@@ -51,7 +67,7 @@ double call_number(Script *s, const Node *n)
     return f->f2(a, b);
   }
   switch (n->word) {
-  case KW_Rand: return eval_number(s, n->kid[0]) * rng_double(&s->rng);
+  case KW_Rand: return eval_number(s, n->kid[0]) * random_share(s);
   case KW_Exists: return name_exists(s, n->kid[0]);
   case KW_GetForced: {
     if (name_exists(s, n->kid[0])) return eval_number(s, n->kid[0]);

@@ -10,7 +10,6 @@
 #include <math.h>
 
 #include "base/map.h"
-#include "base/rng.h"
 #include "model/model_edit.h"
 #include "script/limits.h"
 #include "script/parse.h"
@@ -56,7 +55,7 @@ struct Script {
   Vec(DoubleVec *) spare; // vectors for reuse
   size_t spare_used;
   ShapeVec shape_pool;
-  Rng rng;
+  uint32_t random[31], random_at; // of Rand
   Map reported;  // errors by place
   uint64_t work; // see LIMIT_WORK
   size_t held;   // bytes in variables, see LIMIT_MEMORY

@@ -9,7 +9,7 @@ Extrude {0,0,1} { Line{1}; Layers{{0}, {1}}; }
 Extrude {0,0,1} { Line{1}; Layers{{1,1}, {1, 0.5}}; }    // expect error: Layers: heights must increase, but 1 is followed by 0.5
 Extrude {1e300*1e300,0,0} { Line{1}; }                   // expect error: this extrusion is not finite
 Extrude {0,0,1} { Volume{1}; }                           // expect error: cannot extrude a volume
-Extrude {0,0,1} { Line{77}; }                            // expect error: cannot extrude curve 77: it does not exist
+Extrude {0,0,1} { Line{77}; }                            // expect warning: Extrude: there is no curve 77
 Translate {1,0,0} { Line{77}; }                          // expect error: cannot transform curve 77: it does not exist
 Translate {1e300*1e300,0,0} { Line{1}; }                 // expect error: this transformation has no finite coefficients (an axis or a normal of length 0?)
 Split Curve {3} Point {4};                               // expect error: cannot split curve 3 at point 4, which is none of its control points

@@ -21,7 +21,9 @@ Printf("%g %g", Fmod(7, 3), Modulo(7.5, 2));     // expect: 1 1.5
 Printf("%g", Hypot(3, 4));                       // expect: 5
 Printf("%g %g", Min(2, 3), Max(2, 3));           // expect: 2 3
 Printf("%g %g", Step(-0.1), Step(0));            // expect: 0 1
-Printf("%g", Rand(1) < 1);                       // expect: 1
+Printf("%.12g %.12g %.12g", Rand(1), Rand(1), Rand(2)); // expect: 0.840187717155 0.394382926819 1.56619844752
+For i In {1:1000} r = Rand(1); EndFor
+Printf("%.12g", Rand(1));                        // expect: 0.460067454008
 Printf("%.9f", Pi);                              // expect: 3.141592654
 x = 2;
 Printf("%g", Sqrt(x*x + 12));                    // expect: 4

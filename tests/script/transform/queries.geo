@@ -30,3 +30,9 @@ b[] = Boundary{ Line{21}; }; Printf("b", b[]);   // expect: b [0]21 [1]22
 b[] = Point{22}; Printf("b", b[]);               // expect: b [0]9 [1]9 [2]0
 Delete Model;                                    // expect: [delete 0]
 Printf("%g", newp);                              // expect: 1
+// numbers of what coherence merges come again, but with OldNewReg = 0
+Geometry.OldNewReg = 0; Point(101) = {50,0,0}; Point(102) = {51,0,0}; Point(103) = {50,0,0}; Coherence;
+Printf("%g", newp - 103);                        // expect: 1
+Geometry.OldNewReg = 1;
+Point(104) = {50,0,0}; Coherence;
+Printf("%g", newp - 103);                        // expect: 0
