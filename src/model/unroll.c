@@ -4,12 +4,11 @@
 
 #include "model/unroll.h"
 
-#include "model/model_int.h"
+#include "model/unroll_int.h"
 
 enum { WIDTH = 100 };
 
-// `{a, b, c}`, broken over lines.
-static void put_ints(Writer *w, const int *v, size_t n)
+void unroll__ints(Writer *w, const int *v, size_t n)
 {
   size_t col = 20;
   writer_char(w, '{');
@@ -26,7 +25,7 @@ static void put_ints(Writer *w, const int *v, size_t n)
   writer_char(w, '}');
 }
 
-static void put_doubles(Writer *w, const double *v, size_t n)
+void unroll__doubles(Writer *w, const double *v, size_t n)
 {
   writer_char(w, '{');
   for (size_t i = 0; i < n; i++) {
@@ -36,7 +35,7 @@ static void put_doubles(Writer *w, const double *v, size_t n)
   writer_char(w, '}');
 }
 
-static void put_vec(Writer *w, Vec3 v) { put_doubles(w, (double[]){v.x, v.y, v.z}, 3); }
+static void put_vec(Writer *w, Vec3 v) { unroll__doubles(w, (double[]){v.x, v.y, v.z}, 3); }
 
 static void put_head(Writer *w, const char *what, int tag)
 {
@@ -46,26 +45,7 @@ static void put_head(Writer *w, const char *what, int tag)
   writer_str(w, ") = ");
 }
 
-// `What {tags} = ` or without the equals sign.
-static void put_list_head(Writer *w, const char *what, const int *v, size_t n, const char *after)
-{
-  writer_str(w, what);
-  writer_char(w, ' ');
-  put_ints(w, v, n);
-  writer_str(w, after);
-}
-
 // ---- arcs by numbers --------------------------------------------------------------------------------------------------------
-
-// Plain .geo has arcs below pi only, through points: OpenCASCADE's arcs get a centre (and an axis point), and those of pi or more
-// become several curves, with tags beyond all others.
-typedef struct {
-  Writer *w;
-  const Model *m;
-  Map part;        // curve tag -> index of its parts in `tag`, -1 at their end
-  IntVec tag;
-  int point, next; // last tags given out
-} Unroll;
 
 static int fresh_point(Unroll *r, Vec3 x)
 {
@@ -121,7 +101,7 @@ static void put_arc(Unroll *r, const Curve *c)
     int to = i + 1 == n ? c->end : fresh_point(r, on_arc(a, a->t0 + (a->t1 - a->t0) * cut[i])), tag = n == 1 ? c->tag : ++r->next;
     put_head(r->w, circle ? "Circle" : "Ellipse", tag);
     int round[3] = {from, centre, to}, oval[4] = {from, centre, axis, to};
-    put_ints(r->w, circle ? round : oval, circle ? 3 : 4);
+    unroll__ints(r->w, circle ? round : oval, circle ? 3 : 4);
     writer_str(r->w, ";\n");
     if (n > 1) vec_push(&r->tag, tag);
     from = to;
@@ -129,11 +109,10 @@ static void put_arc(Unroll *r, const Curve *c)
   if (n > 1) vec_push(&r->tag, -1);
 }
 
-// A list of curves with the parts in the place of what was cut.
-static void put_curve_list(Unroll *r, const int *v, size_t n)
+void unroll__curve_list(Unroll *r, const int *v, size_t n)
 {
   if (!r->part.len) {
-    put_ints(r->w, v, n);
+    unroll__ints(r->w, v, n);
     return;
   }
   IntVec all = {0};
@@ -151,17 +130,40 @@ static void put_curve_list(Unroll *r, const int *v, size_t n)
       all.data[b] = t;
     }
   }
-  put_ints(r->w, all.data, all.len);
+  unroll__ints(r->w, all.data, all.len);
   vec_free(&all);
 }
 
 // ---- points, curves -------------------------------------------------------------------------------------------------------
+
+static double last_places(double x, int n)
+{
+  for (; n > 0; n--) x = nextafter(x, INFINITY);
+  for (; n < 0; n++) x = nextafter(x, -INFINITY);
+  return x;
+}
 
 static Vec3 own_place(const Model *m, const Point *p)
 {
   for (size_t i = 0; i < m->moved.len; i++)
     if (m->moved.data[i].tag == p->tag) return m->moved.data[i].xyz;
   return p->xyz;
+}
+
+// Some plane coordinates whose image is x to the last bit, near those computed from x, which may miss it by rounding; x was given
+// by such, unless it was moved.
+static Vec2 plane_of(const PolarSphere *s, Vec3 x)
+{
+  enum { REACH = 12 }; // last places
+  Vec2 near = polar_plane(s, x);
+  for (int r = 0; r <= REACH; r++)
+    for (int i = -r; i <= r; i++)
+      for (int j = -r; j <= r; j += abs(i) == r || j == r ? 1 : 2 * r) {
+        Vec2 q = {last_places(near.x, i), last_places(near.y, j)};
+        Vec3 y = polar_point(s, q);
+        if (y.x == x.x && y.y == x.y && y.z == x.z) return q;
+      }
+  return near;
 }
 
 // The points given in the plane of a sphere, or those of space.
@@ -172,12 +174,12 @@ static void put_points(Writer *w, const Model *m, const PolarSphere *sphere)
     if (p->sphere != sphere) continue;
     Vec3 x = own_place(m, p);
     if (sphere) {
-      Vec2 q = polar_plane(sphere, x);
+      Vec2 q = plane_of(sphere, x);
       x = (Vec3){q.x, q.y, 0};
     }
     double v[4] = {x.x, x.y, x.z, p->lc};
     put_head(w, "Point", p->tag);
-    put_doubles(w, v, p->lc < LC_UNSET ? 4 : 3);
+    unroll__doubles(w, v, p->lc < LC_UNSET ? 4 : 3);
     writer_str(w, ";\n");
   }
 }
@@ -208,7 +210,7 @@ static void put_all_points(Unroll *r)
   }
   for (size_t k = 0; k < sphere.len; k++) {
     put_head(r->w, "PolarSphere", sphere.data[k]->tag);
-    put_ints(r->w, pair.data + 2 * k, 2);
+    unroll__ints(r->w, pair.data + 2 * k, 2);
     writer_str(r->w, ";\n");
     put_points(r->w, r->m, sphere.data[k]);
   }
@@ -237,14 +239,14 @@ static void put_curves(Unroll *r)
       continue;
     }
     put_head(w, word[c->type], c->tag);
-    put_ints(w, c->point, (size_t)c->npoint);
+    unroll__ints(w, c->point, (size_t)c->npoint);
     if (needs_plane(m, c)) {
       writer_str(w, " Plane ");
       put_vec(w, c->plane);
     }
     if (c->type == CURVE_NURBS) {
       writer_str(w, " Knots ");
-      put_doubles(w, c->knot, (size_t)c->nknot);
+      unroll__doubles(w, c->knot, (size_t)c->nknot);
       writer_printf(w, " Order %d", c->nknot - c->npoint - 1);
     }
     writer_str(w, ";\n");
@@ -256,7 +258,7 @@ static void put_curves(Unroll *r)
 static void put_loop(Unroll *r, int tag, const Loop *l)
 {
   put_head(r->w, "Curve Loop", tag);
-  put_curve_list(r, l->curve, (size_t)l->ncurve);
+  unroll__curve_list(r, l->curve, (size_t)l->ncurve);
   writer_str(r->w, ";\n");
 }
 
@@ -296,7 +298,7 @@ static void put_faces(Unroll *r)
       vec_push(&loop, f->loop[k] < 0 ? -tag : tag);
     }
     put_head(w, f->type == FACE_PLANE ? "Plane Surface" : "Surface", f->tag);
-    put_ints(w, loop.data, loop.len);
+    unroll__ints(w, loop.data, loop.len);
     writer_str(w, ";\n");
   }
   vec_free(&loop);
@@ -307,157 +309,14 @@ static void put_faces(Unroll *r)
     IntVec face = {0};
     for (int k = 0; k < v->nface; k++) vec_push(&face, tag__abs(v->face[k]));
     put_head(w, "Surface Loop", v->tag);
-    put_ints(w, face.data, face.len);
+    unroll__ints(w, face.data, face.len);
     writer_str(w, ";\n");
     put_head(w, "Volume", v->tag);
-    put_ints(w, &v->tag, 1);
+    unroll__ints(w, &v->tag, 1);
     writer_str(w, ";\n");
     vec_free(&face);
   }
   vec_free(&volume);
-}
-
-// ---- how to mesh --------------------------------------------------------------------------------------------------------------
-
-static bool uniform(const Layers *l) { return l->n == 1; }
-
-static void put_transfinite_curve(Writer *w, const Curve *c)
-{
-  int tag = c->law == LAW_BETA && c->coef < 0 ? -c->tag : c->tag;
-  put_list_head(w, "Transfinite Curve", &tag, 1, " = ");
-  writer_i64(w, c->transfinite);
-  static const char *const law[] = {NULL, "Progression", "Bump", "Beta"};
-  if (law[c->law]) {
-    writer_str(w, " Using ");
-    writer_str(w, law[c->law]);
-    writer_char(w, ' ');
-    writer_double(w, c->law == LAW_BETA ? fabs(c->coef) : c->coef);
-  }
-  writer_str(w, ";\n");
-}
-
-static void put_swept_curve(Writer *w, const Curve *c)
-{
-  if (c->transfinite || !c->extruded_point || !c->layers.n) return;
-  if (uniform(&c->layers)) {
-    put_list_head(w, "Transfinite Curve", &c->tag, 1, " = ");
-    writer_i64(w, (int64_t)c->layers.count[0] + 1);
-    writer_str(w, ";\n");
-  } else {
-    writer_printf(w, "// curve %d was extruded with %d layers of unequal elements\n", c->tag, c->layers.n);
-  }
-}
-
-// Of a curve cut into parts: the nodes are shared out.
-static void put_part_attributes(Unroll *r, const Curve *c)
-{
-  if (!c->transfinite && !c->reverse_mesh) return;
-  int parts = 0;
-  for (size_t k = map_get(&r->part, (uint64_t)c->tag); r->tag.data[k] >= 0; k++) parts++;
-  if (c->transfinite) {
-    writer_str(r->w, "Transfinite Curve ");
-    put_curve_list(r, &c->tag, 1);
-    writer_printf(r->w, " = %d;\n", MAX(2, (c->transfinite - 1 + parts / 2) / parts + 1));
-  }
-  if (c->reverse_mesh) {
-    writer_str(r->w, "ReverseMesh Curve ");
-    put_curve_list(r, &c->tag, 1);
-    writer_str(r->w, ";\n");
-  }
-}
-
-static void put_curve_attributes(Unroll *r)
-{
-  Writer *w = r->w;
-  const Model *m = r->m;
-  for (size_t i = 0; i < model_curves(m); i++) {
-    const Curve *c = model_curve_at(m, i);
-    if (r->part.len && map_get(&r->part, (uint64_t)c->tag) != NONE) {
-      put_part_attributes(r, c);
-      continue;
-    }
-    if (c->transfinite) put_transfinite_curve(w, c);
-    put_swept_curve(w, c);
-    if (c->reverse_mesh) put_list_head(w, "ReverseMesh Curve", &c->tag, 1, ";\n");
-    if (c->degenerate) put_list_head(w, "Degenerated Curve", &c->tag, 1, ";\n");
-    int master = c->periodic_master ? c->periodic_master : c->transfinite ? 0 : c->copy_of;
-    if (!master) continue;
-    put_list_head(w, "Periodic Curve", &c->tag, 1, " = ");
-    put_ints(w, &master, 1);
-    if (c->periodic_master && c->affine) {
-      writer_str(w, " Affine ");
-      put_doubles(w, c->affine, 16);
-    }
-    writer_str(w, ";\n");
-  }
-}
-
-static void put_transfinite_face(Writer *w, const Face *f)
-{
-  static const char *const word[] = {"", " Right", " AlternateRight", " AlternateLeft"};
-  put_list_head(w, "Transfinite Surface", &f->tag, 1, "");
-  if (f->ncorner) {
-    writer_str(w, " = ");
-    put_ints(w, f->corner, (size_t)f->ncorner);
-  }
-  writer_str(w, word[f->arrangement]);
-  writer_str(w, ";\n");
-}
-
-static void put_face_attributes(Unroll *r)
-{
-  Writer *w = r->w;
-  const Model *m = r->m;
-  for (size_t i = 0; i < model_faces(m); i++) {
-    const Face *f = model_face_at(m, i);
-    bool swept = f->extruded_curve && f->layers.n && uniform(&f->layers);
-    if (f->transfinite || swept) put_transfinite_face(w, f);
-    if (f->recombine || (swept && f->layers.recombine)) {
-      put_list_head(w, "Recombine Surface", &f->tag, 1, "");
-      if (f->recombine && f->recombine_angle != 45) {
-        writer_str(w, " = ");
-        writer_double(w, f->recombine_angle);
-      }
-      writer_str(w, ";\n");
-    }
-    const struct {
-      const char *word;
-      int value, none;
-    } number[] = {{"Smoother Surface", f->smoother, 0},
-                  {"MeshAlgorithm Surface", f->algorithm, 0},
-                  {"MeshSizeFromBoundary Surface", f->size_from_boundary, -1}};
-    for (size_t k = 0; k < ARRAY_LEN(number); k++) {
-      if (number[k].value == number[k].none) continue;
-      put_list_head(w, number[k].word, &f->tag, 1, " = ");
-      writer_i64(w, number[k].value);
-      writer_str(w, ";\n");
-    }
-    if (f->reverse_mesh) put_list_head(w, "ReverseMesh Surface", &f->tag, 1, ";\n");
-    const IntVec *in[2] = {&f->embedded_points, &f->embedded_curves};
-    for (int k = 0; k < 2; k++) {
-      if (!in[k]->len) continue;
-      writer_str(w, k ? "Curve " : "Point ");
-      if (k)
-        put_curve_list(r, in[k]->data, in[k]->len);
-      else
-        put_ints(w, in[k]->data, in[k]->len);
-      writer_printf(w, " In Surface {%d};\n", f->tag);
-    }
-  }
-}
-
-static void put_compounds(Writer *w, const Model *m)
-{
-  for (int dim = 1; dim <= 2; dim++)
-    for (int index = 1; index <= m->ncompound[dim]; index++) {
-      IntVec tag = {0};
-      for (size_t i = 0; dim == 1 && i < model_curves(m); i++)
-        if (model_curve_at(m, i)->compound == index) vec_push(&tag, model_curve_at(m, i)->tag);
-      for (size_t i = 0; dim == 2 && i < model_faces(m); i++)
-        if (model_face_at(m, i)->compound == index) vec_push(&tag, model_face_at(m, i)->tag);
-      if (tag.len) put_list_head(w, dim == 1 ? "Compound Curve" : "Compound Surface", tag.data, tag.len, ";\n");
-      vec_free(&tag);
-    }
 }
 
 // ---- groups -------------------------------------------------------------------------------------------------------------------
@@ -469,6 +328,7 @@ static void put_groups(Unroll *r)
   static const char *const word[] = {"Point", "Curve", "Surface", "Volume"};
   for (size_t i = 0; i < model_groups(m); i++) {
     const Group *g = model_group_at(m, i);
+    if (!g->name && !g->entity.len) continue; // says nothing
     writer_printf(w, "Physical %s(", word[g->dim]);
     if (g->name) {
       char quote = strchr(g->name, '"') ? '\'' : '"';
@@ -480,9 +340,9 @@ static void put_groups(Unroll *r)
     writer_i64(w, g->tag);
     writer_str(w, ") = ");
     if (g->dim == 1)
-      put_curve_list(r, g->entity.data, g->entity.len);
+      unroll__curve_list(r, g->entity.data, g->entity.len);
     else
-      put_ints(w, g->entity.data, g->entity.len);
+      unroll__ints(w, g->entity.data, g->entity.len);
     writer_str(w, ";\n");
   }
 }
@@ -494,9 +354,7 @@ void model_unroll(const Model *m, Writer *w)
   put_all_points(&r);
   put_curves(&r);
   put_faces(&r);
-  put_curve_attributes(&r);
-  put_face_attributes(&r);
-  put_compounds(w, m);
+  unroll__mesh(&r);
   put_groups(&r);
   map_free(&r.part);
   vec_free(&r.tag);

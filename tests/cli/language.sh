@@ -104,6 +104,12 @@ check "and meshed again" "$MESHGEN" -2 b.geo -format msh2 -o b.msh
 "$MESHGEN" -2 b.geo -o b.msh | sed -n '1s/.*: //p' >b.txt
 "$MESHGEN" -2 a.geo -o a.msh | sed -n '1s/.*: //p' >a.txt
 same "it is the same patch" a.txt b.txt
+"$MESHGEN" -0 b.geo -o c.geo
+same "it is unrolled the same again" b.geo c.geo
+printf '%s\n' 'Point(1)={0,0,0};Physical Point("later",3)={};Physical Point(4)={9};Physical Point(5)={1};' >a.geo
+"$MESHGEN" -0 a.geo -o b.geo 2>err.txt
+check "a group of nothing and no name is not written" [ "$(grep -c Physical b.geo)" = 2 ]
+check "examples unrolled and read back" "$PYTHON" "$ROOT/tests/unrolled.py" "$MESHGEN" "$ROOT/geo"
 name="a grid on a sphere"
 mesh "$polar Transfinite Curve{:}=9; Transfinite Surface{1}; Recombine Surface{1};"
 prints "64 quadrangles" "transfinite in the plane of the projection"
