@@ -53,7 +53,7 @@ def apart(dim, mine, theirs, size):
     if dim == 0:
         return max(abs(x - y) for x, y in zip(mine, theirs)) > 1e-9 * size
     more = [b - a for a, b in zip(mine[:3], theirs[:3])] + [a - b for a, b in zip(mine[3:], theirs[3:])]
-    return dim == 1 and (min(more) < -1e-5 * size or max(more) > 0.1 * size and math.dist(theirs[:3], theirs[3:]) > 1e-3 * size)
+    return dim == 1 and (min(more) < -1e-4 * size or max(more) > 0.1 * size and math.dist(theirs[:3], theirs[3:]) > 1e-3 * size)
 
 
 def left_behind(mine, theirs):
