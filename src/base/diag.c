@@ -33,6 +33,7 @@ struct Diag {
   bool line_open; // a progress line is on the terminal
   double last_progress; // of time_wall
   bool last_shown; // the message before was printed (notes follow it)
+  bool dropped;    // the message before was a warning too many (its notes go with it)
   Vec(SourceFile) files;
   Vec(Frame) frames;
   Vec(DiagMessage) messages;
@@ -198,6 +199,13 @@ static void deliver(Diag *d, DiagKind kind, SrcLoc loc, char *text)
   if (kind == DIAG_WARNING && d->werror) kind = DIAG_ERROR;
   if (kind == DIAG_ERROR) d->errors++;
   if (kind == DIAG_WARNING) d->warnings++;
+  if (kind != DIAG_NOTE) d->dropped = kind == DIAG_WARNING && d->warnings > DIAG_MAX_WARNINGS && !d->parent;
+  if (d->dropped) {
+    free(text);
+    if (kind == DIAG_NOTE || d->warnings > DIAG_MAX_WARNINGS + 1) return;
+    text = mem_strdup("there are more warnings, which are not shown");
+    loc = NO_LOC;
+  }
   DiagMessage m = {kind, loc, text};
   vec_push(&d->messages, m);
   print_message(d, &vec_last(&d->messages));

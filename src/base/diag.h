@@ -60,7 +60,8 @@ void diag_pop_frame(Diag *d);
 
 int diag_errors(const Diag *d);
 int diag_warnings(const Diag *d);
-enum { DIAG_MAX_ERRORS = 20 };
+enum { DIAG_MAX_ERRORS = 20, DIAG_MAX_WARNINGS = 100 };
+// Warnings beyond DIAG_MAX_WARNINGS are counted, neither printed nor kept; one message says so. Children keep all.
 // True once DIAG_MAX_ERRORS errors were given: whoever parses should stop. Further errors are counted, not printed.
 bool diag_full(const Diag *d);
 size_t diag_count(const Diag *d);

@@ -20,6 +20,7 @@ char *file_read(const char *path, size_t *len)
   int fd = strcmp(path, "-") == 0 ? 0 : open(path, O_RDONLY | O_CLOEXEC);
   if (fd < 0) return NULL;
   struct stat st;
+  size_t most = UINT32_MAX;
   size_t cap = 1 << 16, n = 0;
   if (fstat(fd, &st) == 0) {
     if (S_ISDIR(st.st_mode)) {
@@ -28,13 +29,14 @@ char *file_read(const char *path, size_t *len)
       return NULL;
     }
     if (S_ISREG(st.st_mode)) cap = (size_t)st.st_size + 1;
+    if (S_ISCHR(st.st_mode)) most = 1 << 26; // /dev/zero has no end
   }
   char *buf = mem_alloc(cap + 1);
   for (;;) {
     if (n == cap) buf = mem_realloc(buf, (cap *= 2) + 1);
     ssize_t r = read(fd, buf + n, MIN(cap - n, (size_t)1 << 30));
     if (r < 0 && errno == EINTR) continue;
-    if (r > 0 && (n += (size_t)r) > UINT32_MAX) {
+    if (r > 0 && (n += (size_t)r) > most) {
       r = -1;
       errno = EFBIG;
     }

@@ -10,7 +10,7 @@ extern "C" {
 #endif
 
 // Whole file (or standard input when path is "-") into a fresh buffer with a NUL after the last byte.
-// Returns the buffer (caller frees) and its length in *len; NULL with errno set on failure (EFBIG over 4 GiB).
+// Returns the buffer (caller frees) and its length in *len; NULL with errno set on failure (EFBIG over 4 GiB, of a device 64 MiB).
 char *file_read(const char *path, size_t *len);
 
 // A whole file to look at: mapped where that saves copying it, else read. A NUL follows the last byte.

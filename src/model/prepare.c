@@ -314,11 +314,28 @@ static void prepare_group(Model *m, Group *g, Diag *diag)
 
 bool model_needs_prepare(const Model *m) { return m->parted; }
 
+// Products of four coordinates, which predicates need, must not overflow.
+static bool places_in_reach(Model *m, Diag *diag)
+{
+  static const double reach = 1e60;
+  const Box3 *b = &m->extent;
+  if (!model_points(m) || (fmin(b->lo.x, fmin(b->lo.y, b->lo.z)) >= -reach && fmax(b->hi.x, fmax(b->hi.y, b->hi.z)) <= reach)) return true;
+  for (size_t i = 0; i < model_points(m); i++) {
+    const Point *p = model_point_at(m, i);
+    if (fmax(fabs(p->xyz.x), fmax(fabs(p->xyz.y), fabs(p->xyz.z))) <= reach) continue;
+    diag_error(diag, p->loc, "point %d is at (%g, %g, %g): coordinates beyond %g cannot be computed with", p->tag, p->xyz.x, p->xyz.y,
+               p->xyz.z, reach);
+    return false;
+  }
+  return true;
+}
+
 bool model_prepare(Model *m, double tolerance, Diag *diag)
 {
   (void)model_points(m); // sort all tables now: readers may be many
   (void)model_volumes(m);
   model__unprepare(m);
+  if (!places_in_reach(m, diag)) return false;
   bool good = prepare_loops(m, diag);
   good &= prepare_curves(m, diag);
   good &= prepare_faces(m, tolerance, diag);

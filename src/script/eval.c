@@ -351,6 +351,8 @@ static void in_box_list(Script *s, const Node *n, DoubleVec *out)
   } else {
     const double *b = v->data;
     IntVec tags = {0};
+    const Model *m = s->model;
+    script__charge(s, n->op == 0 ? model_points(m) : n->op == 1 ? model_curves(m) : model_faces(m), n->loc);
     model_in_box(s->model, n->op, (Box3){{b[0], b[1], b[2]}, {b[3], b[4], b[5]}}, &tags);
     for (size_t i = 0; i < tags.len; i++) vec_push(out, tags.data[i]);
     vec_free(&tags);
@@ -444,5 +446,6 @@ void eval_ints(Script *s, const Node *n, int dim, IntVec *out)
     else
       script__error(s, n->loc, "%g cannot be a tag", x);
   }
+  script__charge(s, v->len, n->loc);
   script__give(s, v);
 }

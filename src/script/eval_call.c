@@ -118,6 +118,7 @@ static void unique(Script *s, const Node *n, DoubleVec *out)
 {
   size_t at = out->len, kept = at;
   eval_list(s, n->kid[0], out);
+  if (!script__charge(s, 2 * (out->len - at), n->loc)) return;
   if (out->len > at) qsort(out->data + at, out->len - at, sizeof(double), compare_doubles);
   for (size_t i = at; i < out->len; i++)
     if (i == at || out->data[i] != out->data[i - 1]) out->data[kept++] = out->data[i];
@@ -216,10 +217,12 @@ static const char *replaced(Script *s, const Node *n)
     str_append(&out, new);
     if (out.len > LIMIT_STRING) {
       script__error(s, n->loc, "this text would have more than %d bytes", LIMIT_STRING);
-      break;
+      str_clear(&out);
+      return keep(s, &out);
     }
   }
   str_append(&out, in);
+  script__charge(s, out.len / 64, n->loc);
   return keep(s, &out);
 }
 

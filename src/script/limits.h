@@ -17,7 +17,9 @@ enum {
       100 * 1000 * 1000, // statements run inside loops and macros, list members copied there, and so on
   LIMIT_ITERATIONS = 50 * 1000 * 1000, // of one For
   COST_ENTITY = 16,                    // work of a statement that makes an entity: about 300 bytes and 300 ns
+  COST_GROUP = 8 * COST_ENTITY,
+  COST_FIELD = 64 * COST_ENTITY,
 };
-#define LIMIT_MEMORY ((size_t)1 << 30) // bytes held by variables
+#define LIMIT_MEMORY ((size_t)1 << 29) // bytes held by variables
 
 #endif

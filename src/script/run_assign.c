@@ -30,17 +30,32 @@ static bool combine(Script *s, int op, double *a, double b, SrcLoc loc)
 
 // ---- lists ---------------------------------------------
 
-// Remove the first occurrence of each value.
+static uint64_t number_key(double x)
+{
+  x += 0.0; // -0 equals 0
+  uint64_t bits;
+  memcpy(&bits, &x, sizeof bits);
+  return bits;
+}
+
+// Remove the first occurrence of each value, as many of a value as it stands there.
 static void remove_values(Script *s, Variable *v, const DoubleVec *values, SrcLoc loc)
 {
-  if (!script__charge(s, values->len * v->list.len / 8, loc)) return;
+  if (!script__charge(s, (values->len + v->list.len) / 8, loc)) return;
+  Map wanted = {0};
+  bool added;
   for (size_t i = 0; i < values->len; i++)
-    for (size_t j = 0; j < v->list.len; j++)
-      if (v->list.data[j] == values->data[i]) {
-        memmove(v->list.data + j, v->list.data + j + 1, (v->list.len - j - 1) * sizeof(double));
-        v->list.len--;
-        break;
-      }
+    if (!isnan(values->data[i])) ++*map_slot(&wanted, number_key(values->data[i]), 0, &added);
+  size_t kept = 0;
+  for (size_t i = 0; i < v->list.len; i++) {
+    uint32_t n = isnan(v->list.data[i]) ? NONE : map_get(&wanted, number_key(v->list.data[i]));
+    if (n != NONE && n > 0)
+      map_set(&wanted, number_key(v->list.data[i]), n - 1);
+    else
+      v->list.data[kept++] = v->list.data[i];
+  }
+  v->list.len = kept;
+  map_free(&wanted);
 }
 
 static void make_list(Script *s, Variable *v)
@@ -105,7 +120,7 @@ static void assign_text(Script *s, uint32_t word, int op, const Node *value, boo
   }
   size_t bytes = 0;
   for (size_t i = 0; i < texts.len; i++) bytes += strlen(texts.data[i]);
-  if (script__charge(s, texts.len + bytes / 64, loc)) {
+  if (script__charge(s, 2 * texts.len + bytes / 64, loc)) {
     if (s->held + bytes > LIMIT_MEMORY)
       script__error(s, loc, "the variables need more than %zu MB", LIMIT_MEMORY >> 20);
     else

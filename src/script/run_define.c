@@ -264,7 +264,7 @@ void run_physical(Script *s, const Node *n)
   IntVec tags = {0};
   eval_ints(s, n->kid[2], dim, &tags);
   static const GroupOp ops[] = {GROUP_SET, GROUP_ADD, GROUP_REMOVE};
-  if (s->faults == faults && script__charge(s, COST_ENTITY, n->loc))
+  if (s->faults == faults && script__charge(s, COST_GROUP, n->loc))
     model_group_edit(s->model, dim, tag, name, ops[n->flags], tags.data, tags.len, n->loc, s->diag);
   vec_free(&tags);
 }

@@ -143,6 +143,7 @@ void run_compound(Script *s, const Node *n)
 void run_field(Script *s, const Node *n)
 {
   int faults = s->faults, id = eval_int(s, n->kid[0]);
+  if (!script__charge(s, COST_FIELD, n->loc)) return;
   if (s->faults == faults && !field_create(s->fields, id, n->text, n->loc, s->diag)) s->faults++;
 }
 

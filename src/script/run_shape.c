@@ -98,7 +98,7 @@ static bool transform_map(Script *s, const Node *n, Affine *a)
 
 static bool charge_shapes(Script *s, size_t n, SrcLoc loc)
 {
-  return script__charge(s, (uint64_t)n * COST_ENTITY, loc);
+  return script__charge(s, (uint64_t)n * 2 * COST_ENTITY, loc);
 }
 
 static void transform(Script *s, const Node *n, ShapeVec *out)
@@ -169,7 +169,7 @@ static void extrude(Script *s, const Node *n, ShapeVec *out)
   sweep.layers.recombine = n->kid[6] && eval_number(s, n->kid[6]) != 0;
   for (size_t i = 0; i < shapes.len; i++)
     if (shapes.data[i].dim == 2) note_volumes(s);
-  if (ok && s->faults == faults && charge_shapes(s, 4 * shapes.len, n->loc))
+  if (ok && s->faults == faults && charge_shapes(s, 8 * shapes.len, n->loc))
     if (!model_extrude(s->model, shapes.data, shapes.len, &sweep, out, n->loc, s->diag)) s->faults++;
   vec_free(&shapes);
   vec_free(&count);

@@ -17,10 +17,12 @@ void script__error(Script *s, SrcLoc loc, const char *fmt, ...)
   va_end(ap);
   s->faults++;
   if (loc.line) { // what a loop runs into again and again is told a few times only
-    enum { REPEATS = 3 };
+    enum { REPEATS = 3, HOPELESS = 100 };
     bool added;
     uint64_t key = (uint64_t)loc.file << 52 ^ (uint64_t)loc.line << 20 ^ loc.col;
-    if (++*map_slot(&s->reported, key, 0, &added) > REPEATS && s->depth) return;
+    uint32_t times = ++*map_slot(&s->reported, key, 0, &added);
+    if (times > HOPELESS) s->stopped = true;
+    if (times > REPEATS && s->depth) return;
   }
   diag_error(s->diag, loc, "%s", text);
   if (diag_full(s->diag)) s->stopped = true;

@@ -180,7 +180,7 @@ void size_responsible(SizeEval *e, const Face *f, const Curve *c, Vec3 p, Str *o
   double field = s->root == NONE ? NO_SIZE : size__at(e, s->root, w, p), wish = fmin(s->diagonal, field);
   const char *bound = bound_in_force(s, wish);
   if (bound) str_printf(out, "%s", bound);
-  else if (field < s->diagonal) name_node(&s->node[source_of(e, s->root, w, p)], out);
+  else if (s->root != NONE && field < s->diagonal) name_node(&s->node[source_of(e, s->root, w, p)], out);
   else if (s->from_points) name_points(s, c, out);
   else str_printf(out, "the model's diagonal");
   if (s->factor < 1) str_printf(out, " times Mesh.MeshSizeFactor = %g", s->factor);

@@ -24,7 +24,7 @@ static bool take(SizeField *s, Node *n, int i, const char *option, Diag *diag)
   d->e[i] = expr_compile(v->text, &error, &column);
   d->first[i] = n->nin;
   if (!d->e[i])
-    diag_error(diag, v->loc, "field %d (%s): option %s = \"%s\": %s (at character %d)", n->field->id,
+    diag_error(diag, v->loc, "field %d (%s): option %s = \"%.200s\": %s (at character %d)", n->field->id,
                field__type(n->field->kind)->name, option, v->text, str_text(&error), column);
   else if (expr_minus_power(d->e[i]))
     diag_warning(diag, v->loc, "field %d (%s): in %s = \"%s\" the power comes before the minus, -x^2 is -(x^2); Gmsh reads (-x)^2: write parentheses",

@@ -162,6 +162,23 @@ static void diagnostics_are_counted_and_merged_in_order(void **state)
   diag_free(d);
 }
 
+static void warnings_are_kept_up_to_a_number_and_all_counted(void **state)
+{
+  (void)state;
+  Diag *d = diag_new(false);
+  for (int i = 0; i < 3 * DIAG_MAX_WARNINGS; i++) {
+    diag_warning(d, NO_LOC, "again");
+    diag_note(d, NO_LOC, "its note");
+  }
+  assert_int_equal(diag_warnings(d), 3 * DIAG_MAX_WARNINGS);
+  assert_int_equal(diag_count(d), 2 * DIAG_MAX_WARNINGS + 1);
+  assert_non_null(strstr(diag_get(d, diag_count(d) - 1)->text, "more warnings"));
+  diag_error(d, NO_LOC, "an error");
+  diag_note(d, NO_LOC, "its note");
+  assert_int_equal(diag_count(d), 2 * DIAG_MAX_WARNINGS + 3);
+  diag_free(d);
+}
+
 static void json_is_well_formed(void **state)
 {
   (void)state;
@@ -209,6 +226,7 @@ int main(void)
       cmocka_unit_test(arena_memory_is_zeroed_and_apart),
       cmocka_unit_test(nearest_names_are_suggested),
       cmocka_unit_test(diagnostics_are_counted_and_merged_in_order),
+      cmocka_unit_test(warnings_are_kept_up_to_a_number_and_all_counted),
       cmocka_unit_test(json_is_well_formed),
       cmocka_unit_test(parallel_loop_visits_each_item_once),
   };
