@@ -108,6 +108,41 @@ static void spaced(Script *s, const Node *n, DoubleVec *out)
   }
 }
 
+// How far from its lowest point a chain of parameter c is h higher.
+static double reach(double c, double h)
+{
+  double e = h / c;
+  return c * log1p(e + sqrt(e * (e + 2))); // acosh(1 + e)
+}
+
+// Catenary[x0, x1, y0, y1, lowest, n]: heights at n places evenly between the ends, which are not among them.
+static void catenary(Script *s, const Node *n, DoubleVec *out)
+{
+  double v[6];
+  for (int i = 0; i < 6; i++) v[i] = eval_number(s, n->kid[i]);
+  double width = fabs(v[1] - v[0]), left = v[2] - v[4], right = v[3] - v[4];
+  if (!(left >= 0 && right >= 0 && left + right > 0 && width > 0 && isfinite(width + left + right))) {
+    script__error(s, n->loc, "there is no chain from (%g, %g) to (%g, %g) whose lowest point is at %g", v[0], v[2], v[1], v[3], v[4]);
+    return;
+  }
+  if (!(v[5] >= 0 && v[5] + (double)out->len <= LIMIT_LIST)) {
+    script__error(s, n->loc, "Catenary of %g members (the limit is %d)", v[5], LIMIT_LIST);
+    return;
+  }
+  double lo = -700, hi = 700; // logarithms of c; the span grows with c
+  for (int i = 0; i < 100; i++) {
+    double mid = (lo + hi) / 2;
+    *(reach(exp(mid), left) + reach(exp(mid), right) < width ? &lo : &hi) = mid;
+  }
+  double c = exp((lo + hi) / 2), at = -reach(c, left);
+  int count = (int)v[5];
+  if (!script__charge(s, (uint64_t)count, n->loc)) return;
+  for (int i = 1; i <= count; i++) {
+    double half = (at + width * i / (count + 1)) / (2 * c);
+    vec_push(out, v[4] + 2 * c * sinh(half) * sinh(half));
+  }
+}
+
 static int compare_doubles(const void *a, const void *b)
 {
   double x = *(const double *)a, y = *(const double *)b;
@@ -165,7 +200,7 @@ void call_list(Script *s, const Node *n, DoubleVec *out)
     for (size_t i = at; i < out->len; i++) out->data[i] = fabs(out->data[i]);
     return;
   }
-  case KW_Catenary: script__error(s, n->loc, "Catenary is not supported"); return;
+  case KW_Catenary: catenary(s, n, out); return;
   default:
     script__error(s, n->loc, "%s gives texts, numbers are needed here", words_text(&s->words, n->word));
   }

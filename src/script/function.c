@@ -61,7 +61,7 @@ static const FunctionRow rows[] = {
   {KW_LinSpace, FUNCTION_LIST, 3, 3, false, false, NULL, NULL},
   {KW_LogSpace, FUNCTION_LIST, 3, 3, false, false, NULL, NULL},
   {KW_Unique, FUNCTION_LIST, 1, 1, false, true, NULL, NULL},
-  {KW_Catenary, FUNCTION_LIST, 0, ANY, false, true, NULL, NULL},
+  {KW_Catenary, FUNCTION_LIST, 6, 6, false, false, NULL, NULL},
   {KW_Str, FUNCTION_TEXTS, 0, ANY, false, true, NULL, NULL},
   {KW_StrCat, FUNCTION_TEXT, 0, ANY, false, false, NULL, NULL},
   {KW_StrPrefix, FUNCTION_TEXT, 1, 1, false, false, NULL, NULL},

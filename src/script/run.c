@@ -179,7 +179,12 @@ Flow run_statement(Script *s, const Node *n)
   case NODE_CONSTANTS: run_constants(s, n); break;
   case NODE_STRUCT: run_struct(s, n); break;
   case NODE_COMMAND: return run_command(s, n);
-  case NODE_UNSUPPORTED: script__error(s, n->loc, "%s", n->text); break;
+  case NODE_UNSUPPORTED:
+    if (n->op)
+      diag_warning(s->diag, n->loc, "%s", n->text);
+    else
+      script__error(s, n->loc, "%s", n->text);
+    break;
   case NODE_FAULT: run_fault(s, n); break;
   default: UNREACHABLE();
   }

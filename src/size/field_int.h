@@ -78,4 +78,8 @@ double field__number(const Field *f, const char *name);
 // Append a view of the $NodeData and $ElementNodeData of an ASCII MSH 2 or 4 text. False after an error, reported.
 bool view__read_msh(FieldSet *f, const char *name, const char *text, size_t len, Diag *diag);
 
+// The size that values at a place of a view stand for: a number itself, a vector's length, of a tensor (9, by rows), which is a metric,
+// the smallest size. 0 for a tensor that allows any.
+double size__of_value(const double *v, int n);
+
 #endif

@@ -11,6 +11,7 @@
 #include "base/file.h"
 #include "base/number.h"
 #include "size/field_int.h"
+#include "size/size_int.h"
 
 int view_begin(FieldSet *f, const char *name)
 {
@@ -47,10 +48,14 @@ static int value_components(char c)
   return c == 'S' ? 1 : c == 'V' ? 3 : c == 'T' ? 9 : 0;
 }
 
-static double norm(const double *v, int n)
+double size__of_value(const double *v, int n)
 {
   double sum = 0;
   if (n == 1) return v[0];
+  if (n == 9) {
+    double l = size__largest_eigenvalue((double[6]){v[0], (v[1] + v[3]) / 2, (v[2] + v[6]) / 2, v[4], (v[5] + v[7]) / 2, v[8]}, false);
+    return l > 0 ? 1 / sqrt(l) : 0;
+  }
   for (int i = 0; i < n; i++) sum += v[i] * v[i];
   return sqrt(sum);
 }
@@ -60,7 +65,7 @@ static void push_element(View *v, int corners, const double *xyz, const double *
   ViewElement el = {(uint8_t)corners, (uint32_t)v->xyz.len};
   for (int i = 0; i < corners; i++) {
     vec_push(&v->xyz, ((Vec3){xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]}));
-    vec_push(&v->value, norm(value + components * i, components));
+    vec_push(&v->value, size__of_value(value + components * i, components));
   }
   vec_push(&v->element, el);
 }

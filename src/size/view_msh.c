@@ -169,12 +169,9 @@ static void data_header(Msh *m, uint32_t *components, uint32_t *count)
 
 static double read_value(Msh *m, uint32_t components)
 {
-  double sum = 0, v = 0;
-  for (uint32_t i = 0; i < components; i++) {
-    v = number(m);
-    sum += v * v;
-  }
-  return components == 1 ? v : sqrt(sum);
+  double v[9];
+  for (uint32_t i = 0; i < components; i++) v[i] = number(m);
+  return size__of_value(v, (int)components);
 }
 
 static void read_node_data(Msh *m)

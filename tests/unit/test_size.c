@@ -598,7 +598,7 @@ static void views_are_interpolated(void **state)
   Set t = set_up();
   static const char pos[] = "View \"size\" { // comment\n"
                             "ST(0,0,0, 1,0,0, 0,1,0){0.1,0.2,0.3};\nSQ(1,0,0,2,0,0,2,1,0,1,1,0){0.2,0.2,0.4,0.4};\n"
-                            "T2(0,0,0){\"text; {\"};\nVP(5,5,0){3,4,0};\nSS(0,0,0,1,0,0,0,1,0,0,0,1){1,1,1,1};};\n";
+                            "T2(0,0,0){\"text; {\"};\nVP(5,5,0){3,4,0};TP(-4,5,0){13,12,0,12,13,0,0,0,1};\nSS(0,0,0,1,0,0,0,1,0,0,0,1){1,1,1,1};};\n";
   assert_true(views_read_pos(t.f, "a.pos", pos, sizeof pos - 1, t.diag));
   fields_set_background_view(t.f, 0, NO_LOC);
   t.s = size_new(t.m, &t.o, t.f, t.diag);
@@ -608,6 +608,7 @@ static void views_are_interpolated(void **state)
   NEAR(at(&t, 1.5, 0.5), 0.3, 1e-15);
   NEAR(at(&t, 0, -3), 0.1, 1e-15); // the nearest place
   NEAR(at(&t, 6, 6), size_diagonal(t.s), 0);
+  NEAR(at(&t, -4, 5), 0.2, 1e-15); // the metric's eigenvalues are 25, 1 and 1
   assert_false(views_read_pos(t.f, "b.pos", "View \"x\" { ST(0,0,0){1}; };", 27, t.diag));
   assert_false(views_read_pos(t.f, "c.pos", "View \"x\" { SP(0,0,q){1}; };", 27, t.diag));
   make(&t, 1, "PostView"), num(&t, 1, "IView", 0), num(&t, 1, "UseClosest", 0);

@@ -9,6 +9,10 @@ Printf("n", List[{1,2}]);                        // expect: n [0]1 [1]2
 Printf("f", ListFromFile["_numbers.txt"]);       // expect: f [0]1 [1]2.5 [2]-3
 x[] = ListFromFile["none.txt"];                  // expect error: cannot read
 x[] = LinSpace[0, 1, 1e12];                      // expect error: LinSpace of 1e+12 members
-x[] = Catenary[0,1,0,1,0,10];                    // expect error: Catenary is not supported
+Printf("c", Catenary[0, 2, 1, 1, 0.5, 3]);       // expect: c [0]0.618468 [1]0.5 [2]0.618468
+Printf("c", Catenary[0, 2, 1, 1.5, 0.7, 1]);     // expect: c [0]0.724136
+Printf("c", Catenary[2, 0, 1, 1.5, 0.7, 5]);     // expect: c [0]0.79458 [1]0.705646 [2]0.724136 [3]0.851933 [4]1.10206
+x[] = Catenary[0, 1, 0, 1, 0.5, 3];              // expect error: there is no chain from (0, 0) to (1, 1) whose lowest point is at 0.5
+x[] = Catenary[0, 1, 0, 1, 0, 1e9];              // expect error: Catenary of 1e+09 members
 v[] = {1,2,3} + {10,20,30}; Printf("v", v[]);    // expect: v [0]11 [1]22 [2]33
 v[] = {1,2} + {1,2,3};                           // expect error: lists of 2 and 3 members cannot be added
