@@ -14,6 +14,7 @@
 
 #include "base/mem.h"
 #include "base/number.h"
+#include "base/thread.h"
 
 char *file_read(const char *path, size_t *len)
 {
@@ -86,6 +87,8 @@ enum { WRITER_BUF = 1 << 18, MAX_TEMPORARIES = 64, PATH_CAP = 4096 };
 
 struct Writer {
   int fd, error, slot; // slot in temporaries[], or -1 when written directly
+  int threads;
+  char **part; // a buffer of PART bytes per thread, once several print
   bool sync;
   size_t used;
   char *target;
@@ -146,6 +149,8 @@ Writer *writer_open(const char *path)
   Writer *w = mem_alloc(sizeof *w);
   w->fd = fd;
   w->error = 0;
+  w->threads = 1;
+  w->part = NULL;
   w->sync = false;
   w->slot = slot;
   w->used = 0;
@@ -192,6 +197,62 @@ char *writer_reserve(Writer *w, size_t n)
 void writer_commit(Writer *w, size_t n)
 {
   w->used += n;
+}
+
+// ---- many items ------------------------------------------------------------------------------------------------------------
+enum { BATCH = 1 << 13, PART = 1 << 19 }; // bytes of room taken at once by one thread, and by each of several
+
+void writer_threads(Writer *w, int threads) { w->threads = thread_count(threads); }
+
+typedef struct {
+  Writer *w;
+  size_t n, per_part, turn; // turn: the part to be written next
+  WriterPut put;
+  const void *ctx;
+  pthread_mutex_t lock;
+  pthread_cond_t turned;
+} Items;
+
+// Parts are handed out in order, so that whoever waits for its turn waits for one that is being printed.
+static void print_part(void *ctx, size_t i, int worker)
+{
+  Items *t = ctx;
+  char **part = &t->w->part[worker];
+  if (!*part) *part = mem_alloc(PART);
+  size_t from = i * t->per_part;
+  char *end = t->put(*part, t->ctx, from, MIN(t->n, from + t->per_part));
+  pthread_mutex_lock(&t->lock);
+  while (t->turn != i) pthread_cond_wait(&t->turned, &t->lock);
+  write_all(t->w, *part, (size_t)(end - *part));
+  t->turn++;
+  pthread_cond_broadcast(&t->turned);
+  pthread_mutex_unlock(&t->lock);
+}
+
+static void print_parts(Writer *w, size_t n, size_t room, WriterPut put, const void *ctx)
+{
+  Items t = {.w = w, .n = n, .per_part = PART / room, .put = put, .ctx = ctx};
+  flush(w);
+  if (!w->part) w->part = mem_zalloc((size_t)w->threads * sizeof *w->part);
+  pthread_mutex_init(&t.lock, NULL);
+  pthread_cond_init(&t.turned, NULL);
+  thread_for((n + t.per_part - 1) / t.per_part, w->threads, print_part, &t);
+  pthread_mutex_destroy(&t.lock);
+  pthread_cond_destroy(&t.turned);
+}
+
+void writer_items(Writer *w, size_t n, size_t room, WriterPut put, const void *ctx)
+{
+  enum { WORTH = 4 }; // parts
+  if (w->threads > 1 && n / (PART / room) >= WORTH) {
+    print_parts(w, n, room, put, ctx);
+    return;
+  }
+  size_t batch = BATCH / room;
+  for (size_t from = 0; from < n; from += batch) {
+    char *p = writer_reserve(w, BATCH);
+    writer_commit(w, (size_t)(put(p, ctx, from, MIN(n, from + batch)) - p));
+  }
 }
 
 void writer_str(Writer *w, const char *s)
@@ -246,6 +307,8 @@ static void forget(Writer *w, bool remove)
     if (remove) unlink(temporaries[w->slot].path);
     temporaries[w->slot].in_use = false;
   }
+  for (int i = 0; w->part && i < w->threads; i++) free(w->part[i]);
+  free(w->part);
   free(w->target);
   free(w);
 }

@@ -46,6 +46,14 @@ void writer_double(Writer *w, double v); // shortest decimal text that reads bac
 char *writer_reserve(Writer *w, size_t n);
 void writer_commit(Writer *w, size_t n);
 
+// Prints items from .. to-1 at p; returns the end. It depends on its arguments alone.
+typedef char *(*WriterPut)(char *p, const void *ctx, size_t from, size_t to);
+// n items in order, each of at most `room` bytes (which put may write to; room <= 4 KiB). Many of them are printed by several
+// threads; the bytes are the same whatever their number.
+void writer_items(Writer *w, size_t n, size_t room, WriterPut put, const void *ctx);
+// How many threads that may be; 1 if this is not called, 0: one per processor.
+void writer_threads(Writer *w, int threads);
+
 // Have writer_close wait until the bytes are on the disk: the file then survives a loss of power too.
 void writer_sync(Writer *w);
 

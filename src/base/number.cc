@@ -6,14 +6,17 @@
 #include <cmath>
 #include <system_error>
 
+#include "base/decimal.h"
+
 size_t number_print(char *to, double v)
 {
-  return (size_t)(std::to_chars(to, to + NUMBER_MAX_TEXT, v).ptr - to);
+  size_t n = decimal_print(to, v);
+  return n ? n : (size_t)(std::to_chars(to, to + NUMBER_MAX_TEXT, v).ptr - to);
 }
 
 size_t number_print_u64(char *to, uint64_t v)
 {
-  return (size_t)(std::to_chars(to, to + NUMBER_MAX_TEXT, v).ptr - to);
+  return (size_t)(decimal_put_u64(to, v) - to);
 }
 
 const char *number_read(const char *s, const char *end, double *v)

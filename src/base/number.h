@@ -5,7 +5,7 @@
 
 #include "base/base.h"
 
-enum { NUMBER_MAX_TEXT = 32 };
+enum { NUMBER_MAX_TEXT = 40 };
 
 #ifdef __cplusplus
 extern "C" {

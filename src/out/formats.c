@@ -103,6 +103,7 @@ static int write_file(const Format *f, const Selection *s, const char *path, con
   Writer *w = writer_open(path);
   if (!w) return errno;
   if (o->sync) writer_sync(w);
+  writer_threads(w, o->threads);
   f->write(w, s, o);
   return writer_close(w);
 }

@@ -45,6 +45,7 @@ typedef struct {
   Writer *w;
   const Selection *s;
   uint64_t number;
+  bool binary;
 } Out;
 
 static int physical_of(const Run *r, int copy)
@@ -54,58 +55,65 @@ static int physical_of(const Run *r, int copy)
 
 static void count_run(void *ctx, const Run *r) { *(size_t *)ctx += r->block->n * (size_t)r->copies; }
 
-static void ascii_run(void *ctx, const Run *r)
+// Item k of a run is copy k % copies of element k / copies; items are numbered from first.
+typedef struct {
+  const Selection *s;
+  const Run *run;
+  uint64_t first;
+} RunItems;
+
+static char *put_elements(char *p, const void *ctx, size_t from, size_t to)
 {
-  Out *o = ctx;
-  for (size_t i = 0; i < r->block->n; i++) {
-    const uint32_t *node = r->block->node + i * (size_t)r->nodes;
-    for (int c = 0; c < r->copies; c++) {
-      int phys = physical_of(r, c);
-      char *p0 = writer_reserve(o->w, 1024), *p = p0;
-      p = put_u64(p, o->number++);
-      p = put_char(p, ' ');
-      p = put_u64(p, r->block->type);
-      memcpy(p, " 2 ", 3);
-      p = put_u64(p + 3, (uint64_t)abs(phys));
-      p = put_char(p, ' ');
-      p = put_u64(p, (uint64_t)r->entity->tag);
-      for (int k = 0; k < r->nodes; k++) {
-        p = put_char(p, ' ');
-        p = put_u64(p, o->s->number[node[phys < 0 ? r->reversed[k] : k]] + o->s->node0);
-      }
-      p = put_char(p, '\n');
-      writer_commit(o->w, (size_t)(p - p0));
-    }
+  const RunItems *t = ctx;
+  const Run *r = t->run;
+  const uint32_t *node = r->block->node + from / (size_t)r->copies * (size_t)r->nodes;
+  int c = (int)(from % (size_t)r->copies);
+  for (size_t i = from; i < to; i++) {
+    int phys = physical_of(r, c);
+    p = put_u64(p, t->first + i);
+    p = put_u64(put_char(p, ' '), r->block->type);
+    p = put_u64((char *)memcpy(p, " 2 ", 3) + 3, (uint64_t)abs(phys));
+    p = put_u64(put_char(p, ' '), (uint64_t)r->entity->tag);
+    for (int k = 0; k < r->nodes; k++)
+      p = put_u64(put_char(p, ' '), t->s->number[node[phys < 0 ? r->reversed[k] : k]] + t->s->node0);
+    p = put_char(p, '\n');
+    if (++c == r->copies) c = 0, node += r->nodes;
   }
+  return p;
 }
 
-static void binary_run(void *ctx, const Run *r)
+static inline char *put_records(char *p, const RunItems *t, size_t from, size_t to, int nodes)
 {
-  Out *o = ctx;
-  const int32_t head[3] = {(int32_t)r->block->type, (int32_t)(r->block->n * (size_t)r->copies), 2};
-  writer_bytes(o->w, head, sizeof head);
-  for (size_t i = 0; i < r->block->n; i++) {
-    const uint32_t *node = r->block->node + i * (size_t)r->nodes;
-    for (int c = 0; c < r->copies; c++) {
-      int32_t rec[3 + ELEM_MAX_NODES], phys = physical_of(r, c);
-      size_t size = (3 + (size_t)r->nodes) * sizeof *rec;
-      rec[0] = (int32_t)o->number++;
-      rec[1] = abs(phys);
-      rec[2] = r->entity->tag;
-      for (int k = 0; k < r->nodes; k++)
-        rec[3 + k] = (int32_t)(o->s->number[node[phys < 0 ? r->reversed[k] : k]] + o->s->node0);
-      memcpy(writer_reserve(o->w, size), rec, size);
-      writer_commit(o->w, size);
-    }
+  const Run *r = t->run;
+  const uint32_t *node = r->block->node + from / (size_t)r->copies * (size_t)nodes;
+  int c = (int)(from % (size_t)r->copies);
+  for (size_t i = from; i < to; i++) {
+    int phys = physical_of(r, c);
+    int32_t rec[3 + ELEM_MAX_NODES] = {(int32_t)(t->first + i), abs(phys), r->entity->tag};
+    size_t size = (3 + (size_t)nodes) * sizeof *rec;
+    for (int k = 0; k < nodes; k++)
+      rec[3 + k] = (int32_t)(t->s->number[node[phys < 0 ? r->reversed[k] : k]] + t->s->node0);
+    p = (char *)memcpy(p, rec, size) + size;
+    if (++c == r->copies) c = 0, node += nodes;
   }
+  return p;
 }
 
-static char *put_node(char *p, uint64_t number, Vec3 x)
+static char *put_binary_elements(char *p, const void *ctx, size_t from, size_t to)
 {
-  p = put_u64(p, number);
-  p = put_double(put_char(p, ' '), x.x);
-  p = put_double(put_char(p, ' '), x.y);
-  return put_double(put_char(p, ' '), x.z);
+  const RunItems *t = ctx;
+  return t->run->nodes == 3 ? put_records(p, t, from, to, 3) : put_records(p, t, from, to, t->run->nodes);
+}
+
+static void write_run(void *ctx, const Run *r)
+{
+  Out *o = ctx;
+  size_t n = r->block->n * (size_t)r->copies;
+  const int32_t head[3] = {(int32_t)r->block->type, (int32_t)n, 2};
+  if (o->binary) writer_bytes(o->w, head, sizeof head);
+  writer_items(o->w, n, 22 * ((size_t)r->nodes + 5), o->binary ? put_binary_elements : put_elements,
+               &(RunItems){o->s, r, o->number});
+  o->number += n;
 }
 
 // " dim tag [u]" of $ParametricNodes
@@ -119,26 +127,33 @@ static char *put_parameter(char *p, const Mesh *m, uint32_t node)
   return dim == 1 ? put_double(put_char(p, ' '), m->node_u[node]) : p;
 }
 
-static void ascii_nodes(Writer *w, const Selection *s, bool parametric)
+static char *put_nodes(char *p, const void *ctx, size_t from, size_t to)
 {
-  for (size_t k = 0; k < s->nnode; k++) {
-    char *p0 = writer_reserve(w, 256), *p = put_node(p0, k + s->node0, select__xyz(s, k));
-    if (parametric) p = put_parameter(p, s->mesh, s->node[k]);
-    p = put_char(p, '\n');
-    writer_commit(w, (size_t)(p - p0));
-  }
+  const Selection *s = ctx;
+  for (size_t k = from; k < to; k++) p = put_char(put_xyz(put_char(put_u64(p, k + s->node0), ' '), select__xyz(s, k)), '\n');
+  return p;
 }
 
-static void binary_nodes(Writer *w, const Selection *s)
+static char *put_parametric_nodes(char *p, const void *ctx, size_t from, size_t to)
 {
-  for (size_t k = 0; k < s->nnode; k++) {
-    char *p = writer_reserve(w, 28);
+  const Selection *s = ctx;
+  for (size_t k = from; k < to; k++) {
+    p = put_xyz(put_char(put_u64(p, k + s->node0), ' '), select__xyz(s, k));
+    p = put_char(put_parameter(p, s->mesh, s->node[k]), '\n');
+  }
+  return p;
+}
+
+static char *put_binary_nodes(char *p, const void *ctx, size_t from, size_t to)
+{
+  const Selection *s = ctx;
+  for (size_t k = from; k < to; k++, p += 28) {
     int32_t number = (int32_t)(k + s->node0);
     Vec3 x = select__xyz(s, k);
     memcpy(p, &number, 4);
     memcpy(p + 4, &x, 24);
-    writer_commit(w, 28);
   }
+  return p;
 }
 
 static bool all_numbered(const Selection *s, const U32Vec *v)
@@ -204,6 +219,8 @@ static void write_element_data(Writer *w, const Selection *s, const OutOptions *
   free(g.block);
 }
 
+enum { NODE_ROOM = 7 * NUMBER_MAX_TEXT };
+
 void msh2__write(Writer *w, const Selection *s, const OutOptions *o)
 {
   bool parametric = o->save_parametric && !o->binary;
@@ -211,14 +228,11 @@ void msh2__write(Writer *w, const Selection *s, const OutOptions *o)
   msh__write_format(w, "2.2", o);
   msh__write_names(w, s->mesh);
   writer_printf(w, "$%s\n%zu\n", nodes, s->nnode);
-  if (o->binary)
-    binary_nodes(w, s);
-  else
-    ascii_nodes(w, s, parametric);
+  writer_items(w, s->nnode, NODE_ROOM, o->binary ? put_binary_nodes : parametric ? put_parametric_nodes : put_nodes, s);
   size_t n = 0;
   each_run(s, count_run, &n);
   writer_printf(w, "%s$End%s\n$Elements\n%zu\n", o->binary ? "\n" : "", nodes, n);
-  each_run(s, o->binary ? binary_run : ascii_run, &(Out){w, s, s->elem0});
+  each_run(s, write_run, &(Out){w, s, s->elem0, o->binary});
   writer_printf(w, "%s$EndElements\n", o->binary ? "\n" : "");
   write_periodic(w, s);
   if (o->cell_data) write_element_data(w, s, o);
@@ -244,10 +258,10 @@ void msh1__write(Writer *w, const Selection *s, const OutOptions *o)
 {
   (void)o;
   writer_printf(w, "$NOD\n%zu\n", s->nnode);
-  ascii_nodes(w, s, false);
+  writer_items(w, s->nnode, NODE_ROOM, put_nodes, s);
   size_t n = 0;
   each_run(s, count_run, &n);
   writer_printf(w, "$ENDNOD\n$ELM\n%zu\n", n);
-  each_run(s, msh1_run, &(Out){w, s, s->elem0});
+  each_run(s, msh1_run, &(Out){w, s, s->elem0, false});
   writer_str(w, "$ENDELM\n");
 }

@@ -100,6 +100,52 @@ static void write_entities(Enc *e, const Selection *s)
   writer_str(e->w, e->binary ? "\n$EndEntities\n" : "$EndEntities\n");
 }
 
+// Nodes from, from + 1, ... of the selection; with a parameter after the coordinates.
+typedef struct {
+  const Selection *s;
+  size_t from;
+  bool parameter;
+} NodeItems;
+
+static char *put_numbers(char *p, const void *ctx, size_t from, size_t to)
+{
+  const NodeItems *t = ctx;
+  for (size_t k = from; k < to; k++) p = put_char(put_u64(p, t->s->node0 + t->from + k), '\n');
+  return p;
+}
+
+static char *put_binary_numbers(char *p, const void *ctx, size_t from, size_t to)
+{
+  const NodeItems *t = ctx;
+  for (size_t k = from; k < to; k++, p += 8) {
+    uint64_t tag = t->s->node0 + t->from + k;
+    memcpy(p, &tag, 8);
+  }
+  return p;
+}
+
+static char *put_places(char *p, const void *ctx, size_t from, size_t to)
+{
+  const NodeItems *t = ctx;
+  for (size_t k = t->from + from; k < t->from + to; k++) {
+    p = put_xyz(p, select__xyz(t->s, k));
+    if (t->parameter) p = put_double(put_char(p, ' '), t->s->mesh->node_u[t->s->node[k]]);
+    p = put_char(p, '\n');
+  }
+  return p;
+}
+
+static char *put_binary_places(char *p, const void *ctx, size_t from, size_t to)
+{
+  const NodeItems *t = ctx;
+  for (size_t k = t->from + from; k < t->from + to; k++) {
+    Vec3 x = select__xyz(t->s, k);
+    p = (char *)memcpy(p, &x, sizeof x) + sizeof x;
+    if (t->parameter) p = (char *)memcpy(p, &t->s->mesh->node_u[t->s->node[k]], 8) + 8;
+  }
+  return p;
+}
+
 // Nodes from..to-1 of the selection are those of one entity.
 static void write_node_block(Enc *e, const Selection *s, size_t from, size_t to, bool parametric)
 {
@@ -112,24 +158,9 @@ static void write_node_block(Enc *e, const Selection *s, size_t from, size_t to,
   put_int(e, u);
   put_size(e, to - from);
   end_line(e);
-  for (size_t k = from; k < to; k++) {
-    uint64_t tag = k + s->node0;
-    char *p0 = writer_reserve(e->w, 32), *p = p0;
-    if (e->binary)
-      p = (char *)memcpy(p, &tag, 8) + 8;
-    else
-      p = put_char(put_u64(p, tag), '\n');
-    writer_commit(e->w, (size_t)(p - p0));
-  }
-  for (size_t k = from; k < to; k++) {
-    double x[4] = {select__xyz(s, k).x, select__xyz(s, k).y, select__xyz(s, k).z, m->node_u[s->node[k]]};
-    char *p0 = writer_reserve(e->w, 4 * NUMBER_MAX_TEXT + 4), *p = p0;
-    if (e->binary)
-      p = (char *)memcpy(p, x, (u ? 4 : 3) * sizeof *x) + (u ? 4 : 3) * sizeof *x;
-    else
-      for (int i = 0; i < (u ? 4 : 3); i++) p = put_char(put_double(p, x[i]), i == (u ? 3 : 2) ? '\n' : ' ');
-    writer_commit(e->w, (size_t)(p - p0));
-  }
+  NodeItems items = {s, from, u};
+  writer_items(e->w, to - from, NUMBER_MAX_TEXT, e->binary ? put_binary_numbers : put_numbers, &items);
+  writer_items(e->w, to - from, 4 * NUMBER_MAX_TEXT, e->binary ? put_binary_places : put_places, &items);
 }
 
 static void write_nodes(Enc *e, const Selection *s, bool parametric)
@@ -150,30 +181,57 @@ static void write_nodes(Enc *e, const Selection *s, bool parametric)
   writer_str(e->w, e->binary ? "\n$EndNodes\n" : "$EndNodes\n");
 }
 
+// Elements of a block, which are numbered from first.
+typedef struct {
+  const Selection *s;
+  const MeshBlock *block;
+  uint64_t first;
+} ElementItems;
+
+static char *put_elements(char *p, const void *ctx, size_t from, size_t to)
+{
+  const ElementItems *t = ctx;
+  size_t nodes = (size_t)elem_nodes(t->block->type);
+  const uint32_t *node = t->block->node + from * nodes;
+  for (size_t i = from; i < to; i++) {
+    p = put_u64(p, t->first + i);
+    for (size_t j = 0; j < nodes; j++) p = put_u64(put_char(p, ' '), t->s->number[*node++] + t->s->node0);
+    p = put_char(p, '\n');
+  }
+  return p;
+}
+
+static inline char *put_records(char *p, const ElementItems *t, size_t from, size_t to, size_t nodes)
+{
+  const uint32_t *node = t->block->node + from * nodes;
+  for (size_t i = from; i < to; i++) {
+    uint64_t number = t->first + i;
+    p = (char *)memcpy(p, &number, 8) + 8;
+    for (size_t j = 0; j < nodes; j++, p += 8) {
+      uint64_t v = t->s->number[*node++] + t->s->node0;
+      memcpy(p, &v, 8);
+    }
+  }
+  return p;
+}
+
+static char *put_binary_elements(char *p, const void *ctx, size_t from, size_t to)
+{
+  const ElementItems *t = ctx;
+  return t->block->type == ELEM_TRI3 ? put_records(p, t, from, to, 3) // known to the compiler, so that it unrolls
+                                     : put_records(p, t, from, to, (size_t)elem_nodes(t->block->type));
+}
+
 static void write_block(Enc *e, const Selection *s, const MeshBlock *k, uint64_t number)
 {
   const MeshEntity *t = &s->mesh->entity[k->entity];
-  int nodes = elem_nodes(k->type);
   put_int(e, t->dim);
   put_int(e, t->tag);
   put_int(e, (int)k->type);
   put_size(e, k->n);
   end_line(e);
-  const uint32_t *node = k->node;
-  for (size_t i = 0; i < k->n; i++, node += nodes) {
-    char *p0 = writer_reserve(e->w, 22 * (ELEM_MAX_NODES + 1)), *p = p0;
-    if (e->binary) {
-      uint64_t rec[1 + ELEM_MAX_NODES];
-      rec[0] = number++;
-      for (int j = 0; j < nodes; j++) rec[1 + j] = s->number[node[j]] + s->node0;
-      p = (char *)memcpy(p, rec, (1 + (size_t)nodes) * 8) + (1 + (size_t)nodes) * 8;
-    } else {
-      p = put_u64(p, number++);
-      for (int j = 0; j < nodes; j++) p = put_u64(put_char(p, ' '), s->number[node[j]] + s->node0);
-      p = put_char(p, '\n');
-    }
-    writer_commit(e->w, (size_t)(p - p0));
-  }
+  writer_items(e->w, k->n, 22 * ((size_t)elem_nodes(k->type) + 2), e->binary ? put_binary_elements : put_elements,
+               &(ElementItems){s, k, number});
 }
 
 static void write_elements(Enc *e, const Selection *s)

@@ -4,6 +4,7 @@
 #define OUT_OUT_INT_H
 
 #include "base/base.h"
+#include "base/decimal.h"
 #include "base/diag.h"
 #include "base/file.h"
 #include "base/number.h"
@@ -120,21 +121,8 @@ static inline Vec3 select__xyz(const Selection *s, size_t k)
   return vec3_scale(s->scale, mesh_xyz(s->mesh, s->node[k]));
 }
 
-// Decimal text of v at p; returns the end. Two digits at a time, from the end.
-static inline char *put_u64(char *p, uint64_t v)
-{
-  static const char pairs[] = "0001020304050607080910111213141516171819202122232425262728293031323334353637383940414243444546474849"
-                              "5051525354555657585960616263646566676869707172737475767778798081828384858687888990919293949596979899";
-  int n = 1;
-  for (uint64_t t = v; t >= 10; n++) t = t >= 10000 ? (n += 3, t / 10000) : t / 10;
-  char *end = p + n, *q = end;
-  for (; v >= 100; v /= 100) memcpy(q -= 2, pairs + 2 * (v % 100), 2);
-  if (v >= 10)
-    memcpy(q - 2, pairs + 2 * v, 2);
-  else
-    q[-1] = (char)('0' + v);
-  return end;
-}
+// Decimal text at p; these return its end and may write to NUMBER_MAX_TEXT bytes.
+static inline char *put_u64(char *p, uint64_t v) { return decimal_put_u64(p, v); }
 static inline char *put_double(char *p, double v)
 {
   if (v == 0 && !signbit(v)) {
@@ -147,6 +135,13 @@ static inline char *put_char(char *p, char c)
 {
   *p = c;
   return p + 1;
+}
+// "x y z"; room for 3 numbers.
+static inline char *put_xyz(char *p, Vec3 x)
+{
+  p = put_double(p, x.x);
+  p = put_double(put_char(p, ' '), x.y);
+  return put_double(put_char(p, ' '), x.z);
 }
 
 #endif

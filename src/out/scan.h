@@ -4,6 +4,7 @@
 #define OUT_SCAN_H
 
 #include "base/base.h"
+#include "base/decimal.h"
 #include "base/diag.h"
 #include "base/number.h"
 
@@ -60,6 +61,14 @@ static inline int64_t scan_i64(Scan *s, const char *what)
 {
   const char *p = s->p;
   while (p < s->end && (unsigned char)*p <= ' ') p++;
+  if (s->end - p >= 8) {
+    uint64_t text = decimal_load8(p);
+    unsigned n = decimal_count_digits(text);
+    if (n - 1 < 7 && (unsigned char)p[n] <= ' ') {
+      s->p = p + n;
+      return (int64_t)decimal_value(text, n);
+    }
+  }
   uint64_t v = 0;
   const char *from = p;
   while (p < s->end && (unsigned)(*p - '0') < 10 && p - from < 18) v = 10 * v + (unsigned)(*p++ - '0');

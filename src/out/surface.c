@@ -20,32 +20,49 @@ const char *surface__refuses(const Selection *s)
 }
 
 // ---- writing --------------------------------------------------------------------------------------------------------------------
-static char *put_xyz(char *p, Vec3 x)
+// With a prefix on each line.
+typedef struct {
+  const Selection *s;
+  const char *prefix;
+} PointItems;
+
+static char *put_points(char *p, const void *ctx, size_t from, size_t to)
 {
-  p = put_char(put_double(p, x.x), ' ');
-  p = put_char(put_double(p, x.y), ' ');
-  return put_char(put_double(p, x.z), '\n');
+  const PointItems *t = ctx;
+  size_t n = strlen(t->prefix);
+  for (size_t k = from; k < to; k++) p = put_char(put_xyz((char *)memcpy(p, t->prefix, n) + n, select__xyz(t->s, k)), '\n');
+  return p;
 }
 
 static void write_points(Writer *w, const Selection *s, const char *prefix)
 {
-  size_t n = strlen(prefix);
-  for (size_t k = 0; k < s->nnode; k++) {
-    char *p0 = writer_reserve(w, 160), *p = put_xyz((char *)memcpy(p0, prefix, n) + n, select__xyz(s, k));
-    writer_commit(w, (size_t)(p - p0));
+  writer_items(w, s->nnode, 4 * NUMBER_MAX_TEXT, put_points, &(PointItems){s, prefix});
+}
+
+typedef struct {
+  const Selection *s;
+  const MeshBlock *block;
+  const char *prefix;
+  uint64_t base;
+} FaceItems;
+
+static char *put_faces(char *p, const void *ctx, size_t from, size_t to)
+{
+  const FaceItems *t = ctx;
+  size_t n = (size_t)elem_corners(t->block->type);
+  const uint32_t *node = t->block->node + from * n;
+  for (size_t i = from; i < to; i++) {
+    p = t->prefix ? put_char(p, t->prefix[0]) : put_u64(p, n);
+    for (size_t a = 0; a < n; a++) p = put_u64(put_char(p, ' '), t->s->number[*node++] + t->base);
+    p = put_char(p, '\n');
   }
+  return p;
 }
 
 // "3 a b c" lines, or with a prefix in place of the count.
 static void write_faces(Writer *w, const Selection *s, const MeshBlock *k, const char *prefix, uint64_t base)
 {
-  int n = elem_corners(k->type);
-  for (size_t i = 0; i < k->n; i++) {
-    char *p0 = writer_reserve(w, 160), *p = prefix ? put_char(p0, prefix[0]) : put_u64(p0, (uint64_t)n);
-    for (int a = 0; a < n; a++) p = put_u64(put_char(p, ' '), s->number[k->node[i * (size_t)n + (size_t)a]] + base);
-    p = put_char(p, '\n');
-    writer_commit(w, (size_t)(p - p0));
-  }
+  writer_items(w, k->n, 4 * NUMBER_MAX_TEXT, put_faces, &(FaceItems){s, k, prefix, base});
 }
 
 void off__write(Writer *w, const Selection *s, const OutOptions *o)
@@ -111,27 +128,22 @@ typedef struct {
   float x, y, z;
 } Normal;
 
-static Normal normal_of(const Vec3 p[3])
+static inline Normal normal_of(const Vec3 p[3])
 {
   Vec3 n = vec3_cross(vec3_sub(p[1], p[0]), vec3_sub(p[2], p[0]));
   double len = vec3_length(n), f = len > 0 ? 1 / len : 0;
   return (Normal){(float)(f * n.x) + 0, (float)(f * n.y) + 0, (float)(f * n.z) + 0}; // + 0: no -0
 }
 
-// What is printed again and again: the corners' text, of which corner k has text[start[k]..start[k+1]-1], and the last facet's head.
+// What is printed again and again: the corners' text, of which corner k has text[start[k]..start[k+1]-1].
 typedef struct {
-  Writer *w;
-  const Selection *s;
   char *text;
   size_t *start;
-  Normal normal;
-  char head[128];
-  size_t head_len;
-} StlText;
+} CornerTexts;
 
-static StlText stl_text(Writer *w, const Selection *s)
+static CornerTexts corner_texts(const Selection *s)
 {
-  StlText t = {.w = w, .s = s, .normal.x = NAN};
+  CornerTexts t;
   enum { LINE = 3 * NUMBER_MAX_TEXT + 16 };
   size_t cap = LINE, used = 0;
   t.text = mem_alloc(cap);
@@ -139,77 +151,96 @@ static StlText stl_text(Writer *w, const Selection *s)
   for (size_t k = 0; k < s->nnode; k++) {
     if (cap - used < LINE) mem_grow(&t.text, &cap, cap + LINE, 1);
     t.start[k] = used;
-    used = (size_t)(put_xyz((char *)memcpy(t.text + used, "    vertex ", 11) + 11, select__xyz(s, k)) - t.text);
+    used = (size_t)(put_char(put_xyz((char *)memcpy(t.text + used, "    vertex ", 11) + 11, select__xyz(s, k)), '\n') - t.text);
   }
   t.start[s->nnode] = used;
   return t;
 }
 
-static void stl_text_free(StlText *t)
+static void corner_texts_free(CornerTexts *t)
 {
   free(t->text);
   free(t->start);
 }
 
-static void text_facet(StlText *t, const uint32_t node[3])
+// Facets of a block; quadrangles are split along their first diagonal.
+typedef struct {
+  const Selection *s;
+  const MeshBlock *block;
+  const CornerTexts *corner; // NULL for binary
+} FacetItems;
+
+static size_t facets_of(const MeshBlock *k) { return k->n * (size_t)(elem_corners(k->type) - 2); }
+
+// Corners of facet i, by their place in the file.
+static inline void facet_corners(const FacetItems *t, size_t i, size_t corners, uint32_t node[3])
 {
-  const Vec3 x[3] = {select__xyz(t->s, node[0]), select__xyz(t->s, node[1]), select__xyz(t->s, node[2])};
-  Normal n = normal_of(x);
-  if (memcmp(&n, &t->normal, sizeof n) != 0) {
-    t->normal = n;
-    t->head_len = (size_t)snprintf(t->head, sizeof t->head, "facet normal %g %g %g\n  outer loop\n", (double)n.x, (double)n.y, (double)n.z);
-  }
-  char *q0 = writer_reserve(t->w, 800), *q = (char *)memcpy(q0, t->head, t->head_len) + t->head_len;
-  for (int i = 0; i < 3; i++) {
-    size_t from = t->start[node[i]], len = t->start[node[i] + 1] - from;
-    q = (char *)memcpy(q, t->text + from, len) + len;
-  }
-  memcpy(q, "  endloop\nendfacet\n", 19);
-  writer_commit(t->w, (size_t)(q + 19 - q0));
+  const uint32_t *number = t->s->number, *v = t->block->node + (corners == 3 ? i : i / 2) * corners;
+  size_t half = corners == 3 ? 0 : i % 2;
+  node[0] = number[v[0]];
+  node[1] = number[v[1 + half]];
+  node[2] = number[v[2 + half]];
 }
 
-static void binary_facet(Writer *w, const Selection *s, const uint32_t node[3])
+static inline Normal facet_normal(const Selection *s, const uint32_t node[3], Vec3 x[3])
 {
-  const Vec3 x[3] = {select__xyz(s, node[0]), select__xyz(s, node[1]), select__xyz(s, node[2])};
-  Normal n = normal_of(x);
-  float f[12] = {n.x, n.y, n.z};
-  for (int i = 0; i < 3; i++) {
-    f[3 + 3 * i] = (float)x[i].x;
-    f[4 + 3 * i] = (float)x[i].y;
-    f[5 + 3 * i] = (float)x[i].z;
-  }
-  char *q = writer_reserve(w, 50);
-  memcpy(q, f, 48);
-  q[48] = q[49] = 0;
-  writer_commit(w, 50);
+  for (int i = 0; i < 3; i++) x[i] = select__xyz(s, node[i]);
+  return normal_of(x);
 }
 
-// Quadrangles are split along their first diagonal. As text if t is not NULL.
-static void stl_block(Writer *w, StlText *t, const Selection *s, const MeshBlock *k)
+static char *put_facets(char *p, const void *ctx, size_t from, size_t to)
 {
-  int corners = elem_corners(k->type);
-  for (size_t i = 0; i < k->n; i++)
-    for (int half = 0; half < corners - 2; half++) {
-      const uint32_t *v = k->node + i * (size_t)corners;
-      const uint32_t node[3] = {s->number[v[0]], s->number[v[1 + half]], s->number[v[2 + half]]};
-      if (t)
-        text_facet(t, node);
-      else
-        binary_facet(w, s, node);
+  const FacetItems *t = ctx;
+  Normal last = {NAN, 0, 0};
+  char head[128]; // of the last facet: its neighbours often lie in the same plane
+  size_t head_len = 0, corners = (size_t)elem_corners(t->block->type);
+  for (size_t f = from; f < to; f++) {
+    uint32_t node[3];
+    Vec3 x[3];
+    facet_corners(t, f, corners, node);
+    Normal n = facet_normal(t->s, node, x);
+    if (memcmp(&n, &last, sizeof n) != 0) {
+      last = n;
+      head_len = (size_t)snprintf(head, sizeof head, "facet normal %g %g %g\n  outer loop\n", (double)n.x, (double)n.y, (double)n.z);
     }
+    p = (char *)memcpy(p, head, head_len) + head_len;
+    for (int i = 0; i < 3; i++) {
+      size_t begin = t->corner->start[node[i]], len = t->corner->start[node[i] + 1] - begin;
+      p = (char *)memcpy(p, t->corner->text + begin, len) + len;
+    }
+    p = (char *)memcpy(p, "  endloop\nendfacet\n", 19) + 19;
+  }
+  return p;
+}
+
+static char *put_binary_facets(char *p, const void *ctx, size_t from, size_t to)
+{
+  const FacetItems *t = ctx;
+  size_t corners = (size_t)elem_corners(t->block->type);
+  for (size_t i = from; i < to; i++, p += 50) {
+    uint32_t node[3];
+    Vec3 x[3];
+    facet_corners(t, i, corners, node);
+    Normal n = facet_normal(t->s, node, x);
+    const float f[12] = {n.x, n.y, n.z, (float)x[0].x, (float)x[0].y, (float)x[0].z, (float)x[1].x, (float)x[1].y, (float)x[1].z,
+                         (float)x[2].x, (float)x[2].y, (float)x[2].z};
+    memcpy(p, f, 48);
+    p[48] = p[49] = 0;
+  }
+  return p;
 }
 
 static void stl_binary(Writer *w, const Selection *s)
 {
   char head[80] = "meshgen";
   uint32_t n = 0;
-  for (size_t i = 0; i < s->nblock; i++) {
-    const MeshBlock *k = &s->mesh->block[s->block[i]];
-    n += (uint32_t)(k->n * (size_t)(elem_corners(k->type) - 2));
-  }
+  for (size_t i = 0; i < s->nblock; i++) n += (uint32_t)facets_of(&s->mesh->block[s->block[i]]);
   writer_bytes(w, head, sizeof head);
   writer_bytes(w, &n, sizeof n);
-  for (size_t i = 0; i < s->nblock; i++) stl_block(w, NULL, s, &s->mesh->block[s->block[i]]);
+  for (size_t i = 0; i < s->nblock; i++) {
+    const MeshBlock *k = &s->mesh->block[s->block[i]];
+    writer_items(w, facets_of(k), 50, put_binary_facets, &(FacetItems){s, k, NULL});
+  }
 }
 
 void stl__write(Writer *w, const Selection *s, const OutOptions *o)
@@ -219,7 +250,8 @@ void stl__write(Writer *w, const Selection *s, const OutOptions *o)
     return;
   }
   char name[256] = "meshgen", last[256] = "";
-  StlText text = stl_text(w, s);
+  enum { ROOM = 800 }; // of a facet
+  CornerTexts corner = corner_texts(s);
   for (size_t i = 0; i < s->nblock; i++) {
     const MeshBlock *k = &s->mesh->block[s->block[i]];
     const MeshGroup *g = first_group(s, k);
@@ -230,9 +262,9 @@ void stl__write(Writer *w, const Selection *s, const OutOptions *o)
       writer_printf(w, "solid %s\n", name);
       memcpy(last, name, sizeof last);
     }
-    stl_block(w, &text, s, k);
+    writer_items(w, facets_of(k), ROOM, put_facets, &(FacetItems){s, k, &corner});
   }
-  stl_text_free(&text);
+  corner_texts_free(&corner);
   writer_printf(w, "%sendsolid %s\n", s->nblock ? "" : "solid meshgen\n", name);
 }
 

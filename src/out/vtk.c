@@ -60,25 +60,58 @@ int vtk__order(ElemType t, uint8_t perm[ELEM_MAX_NODES])
   return n;
 }
 
-static void write_points(Writer *w, const Selection *s, bool binary)
+static char *put_points(char *p, const void *ctx, size_t from, size_t to)
 {
-  writer_printf(w, "POINTS %zu double\n", s->nnode);
-  for (size_t k = 0; k < s->nnode; k++) {
-    const Vec3 x = select__xyz(s, k);
-    char *p0 = writer_reserve(w, 128), *p = p0;
-    if (binary) {
-      uint64_t b[3];
-      memcpy(b, &x, sizeof b);
-      for (int i = 0; i < 3; i++) b[i] = __builtin_bswap64(b[i]);
-      p = (char *)memcpy(p, b, sizeof b) + sizeof b;
-    } else {
-      p = put_char(put_double(p, x.x), ' ');
-      p = put_char(put_double(p, x.y), ' ');
-      p = put_char(put_double(p, x.z), '\n');
-    }
-    writer_commit(w, (size_t)(p - p0));
+  for (size_t k = from; k < to; k++) p = put_char(put_xyz(p, select__xyz(ctx, k)), '\n');
+  return p;
+}
+
+static char *put_binary_points(char *p, const void *ctx, size_t from, size_t to)
+{
+  for (size_t k = from; k < to; k++, p += 24) {
+    const Vec3 x = select__xyz(ctx, k);
+    uint64_t b[3];
+    memcpy(b, &x, sizeof b);
+    for (int i = 0; i < 3; i++) b[i] = __builtin_bswap64(b[i]);
+    memcpy(p, b, sizeof b);
   }
-  writer_char(w, '\n');
+  return p;
+}
+
+typedef struct {
+  const Selection *s;
+  const MeshBlock *block;
+  uint8_t order[ELEM_MAX_NODES]; // of the nodes (vtk__order)
+  int nodes;
+} CellItems;
+
+static char *put_cells(char *p, const void *ctx, size_t from, size_t to)
+{
+  const CellItems *t = ctx;
+  const uint32_t *node = t->block->node + from * (size_t)t->nodes;
+  for (size_t j = from; j < to; j++, node += t->nodes) {
+    p = put_u64(p, (uint64_t)t->nodes);
+    for (int a = 0; a < t->nodes; a++) p = put_u64(put_char(p, ' '), t->s->number[node[t->order[a]]]);
+    p = put_char(p, '\n');
+  }
+  return p;
+}
+
+static inline char *put_records(char *p, const CellItems *t, size_t from, size_t to, int nodes)
+{
+  const uint32_t *node = t->block->node + from * (size_t)nodes;
+  for (size_t j = from; j < to; j++, node += nodes) {
+    uint32_t rec[1 + ELEM_MAX_NODES] = {__builtin_bswap32((uint32_t)nodes)};
+    for (int a = 0; a < nodes; a++) rec[1 + a] = __builtin_bswap32(t->s->number[node[t->order[a]]]);
+    p = (char *)memcpy(p, rec, ((size_t)nodes + 1) * 4) + ((size_t)nodes + 1) * 4;
+  }
+  return p;
+}
+
+static char *put_binary_cells(char *p, const void *ctx, size_t from, size_t to)
+{
+  const CellItems *t = ctx;
+  return t->nodes == 3 ? put_records(p, t, from, to, 3) : put_records(p, t, from, to, t->nodes);
 }
 
 static void write_cells(Writer *w, const Selection *s, bool binary)
@@ -90,23 +123,9 @@ static void write_cells(Writer *w, const Selection *s, bool binary)
   }
   writer_printf(w, "CELLS %zu %zu\n", s->nelem, total);
   for (size_t i = 0; i < s->nblock; i++) {
-    const MeshBlock *k = &s->mesh->block[s->block[i]];
-    uint8_t perm[ELEM_MAX_NODES];
-    int n = vtk__order(k->type, perm);
-    for (size_t j = 0; j < k->n; j++) {
-      const uint32_t *node = k->node + j * (size_t)n;
-      char *p0 = writer_reserve(w, 512), *p = p0;
-      if (binary) {
-        uint32_t rec[1 + ELEM_MAX_NODES] = {__builtin_bswap32((uint32_t)n)};
-        for (int a = 0; a < n; a++) rec[1 + a] = __builtin_bswap32(s->number[node[perm[a]]]);
-        p = (char *)memcpy(p, rec, ((size_t)n + 1) * 4) + ((size_t)n + 1) * 4;
-      } else {
-        p = put_u64(p, (uint64_t)n);
-        for (int a = 0; a < n; a++) p = put_u64(put_char(p, ' '), s->number[node[perm[a]]]);
-        p = put_char(p, '\n');
-      }
-      writer_commit(w, (size_t)(p - p0));
-    }
+    CellItems items = {.s = s, .block = &s->mesh->block[s->block[i]]};
+    items.nodes = vtk__order(items.block->type, items.order);
+    writer_items(w, items.block->n, 12 * ((size_t)items.nodes + 2), binary ? put_binary_cells : put_cells, &items);
   }
   writer_char(w, '\n');
 }
@@ -173,7 +192,9 @@ void vtk__write(Writer *w, const Selection *s, const OutOptions *o)
 {
   writer_printf(w, "# vtk DataFile Version 3.0\n%.200s\n%s\nDATASET UNSTRUCTURED_GRID\n",
                 o->title ? o->title : "meshgen", o->binary ? "BINARY" : "ASCII");
-  write_points(w, s, o->binary);
+  writer_printf(w, "POINTS %zu double\n", s->nnode);
+  writer_items(w, s->nnode, 4 * NUMBER_MAX_TEXT, o->binary ? put_binary_points : put_points, s);
+  writer_char(w, '\n');
   write_cells(w, s, o->binary);
   writer_printf(w, "CELL_TYPES %zu\n", s->nelem);
   write_per_block(w, s, o->binary, type_value);
