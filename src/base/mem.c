@@ -17,8 +17,8 @@ static NORETURN void out_of_memory(size_t n)
   _Exit(EXIT_ENVIRONMENT);
 }
 
-// Blocks of this size and more stand on large pages, where the system has them: fewer page faults.
-static const size_t large_page = (size_t)2 << 20;
+// Large blocks stand on large pages, where the system has them: fewer page faults. A page half used is worth one.
+static const size_t large_page = (size_t)2 << 20, large_block = (size_t)1 << 20;
 
 // Only advice: without it all is as well, but slower.
 static void advise_large(void *p, size_t n)
@@ -33,16 +33,17 @@ static void advise_large(void *p, size_t n)
 
 void *mem_alloc_large(size_t n)
 {
-  if (n < 2 * large_page) return mem_alloc(n);
-  void *p = aligned_alloc(large_page, (n + large_page - 1) / large_page * large_page);
+  if (n < large_block) return mem_alloc(n);
+  size_t whole = (n + large_page - 1) / large_page * large_page;
+  void *p = aligned_alloc(large_page, whole);
   if (!p) out_of_memory(n);
-  advise_large(p, n);
+  advise_large(p, whole - n <= large_page - large_block ? whole : n);
   return p;
 }
 
 void *mem_alloc(size_t n)
 {
-  if (n >= 2 * large_page) return mem_alloc_large(n);
+  if (n >= large_block) return mem_alloc_large(n);
   void *p = malloc(n ? n : 1);
   if (!p) out_of_memory(n);
   return p;
@@ -60,7 +61,7 @@ void *mem_realloc(void *p, size_t n)
   if (!p) return mem_alloc(n);
   p = realloc(p, n ? n : 1);
   if (!p) out_of_memory(n);
-  if (n >= 2 * large_page) advise_large(p, n);
+  if (n >= large_page) advise_large(p, n);
   return p;
 }
 

@@ -470,7 +470,7 @@ static ExitCode run_mesh_file(Job *j)
 {
   ExitCode status = EXIT_INPUT;
   stage_begin(&j->stats, "read");
-  j->mesh = out_read(j->input, NULL, j->diag, &status);
+  j->mesh = out_read(j->input, NULL, j->threads, j->diag, &status);
   stage_end(&j->stats);
   if (!j->mesh) return status;
   bool wanted = j->cli->json || j->cli->require.len;

@@ -80,7 +80,7 @@ static void check_json(const char *path, const Mesh *m, const MeshReport *r)
 static int check_one(const char *path, const Words *w)
 {
   ExitCode status = EXIT_GOOD;
-  Mesh *m = out_read(path, NULL, w->diag, &status);
+  Mesh *m = out_read(path, NULL, 0, w->diag, &status);
   if (!m) return read_status(status);
   MeshReport report = {0};
   bool good = mesh_check(m, false, &report);
@@ -93,7 +93,7 @@ static int check_one(const char *path, const Words *w)
 static int hash_one(const char *path, const Words *w)
 {
   ExitCode status = EXIT_GOOD;
-  Mesh *m = out_read(path, NULL, w->diag, &status);
+  Mesh *m = out_read(path, NULL, 0, w->diag, &status);
   if (!m) return read_status(status);
   MeshHash h = mesh_hash(m, false);
   char text[MESH_HASH_TEXT];
@@ -293,8 +293,8 @@ static int run_diff(Words *w)
     return DIFF_EXIT_TROUBLE;
   }
   ExitCode read = EXIT_GOOD;
-  Mesh *a = out_read(r.file[0], NULL, w->diag, &read);
-  Mesh *b = a ? out_read(r.file[1], NULL, w->diag, &read) : NULL;
+  Mesh *a = out_read(r.file[0], NULL, 0, w->diag, &read);
+  Mesh *b = a ? out_read(r.file[1], NULL, 0, w->diag, &read) : NULL;
   int status = a && b ? diff_meshes(&r, a, b, w->diag) : DIFF_EXIT_TROUBLE;
   mesh_free(a);
   mesh_free(b);

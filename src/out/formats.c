@@ -173,13 +173,18 @@ static const Format *choose_reader(const char *path, const char *format, const c
   return f;
 }
 
+static Scan whole(const char *text, size_t len, const char *name, int threads, Diag *d)
+{
+  return (Scan){.p = text, .end = text + len, .begin = text, .name = name, .diag = d, .threads = threads};
+}
+
 Mesh *out_read_memory(const char *text, size_t len, const char *name, const char *format, Diag *d)
 {
   const Format *f = choose_reader(name, format, text, len, d);
-  return f && f->read ? f->read(text, len, name, d) : NULL;
+  return f && f->read ? f->read(whole(text, len, name, 1, d)) : NULL;
 }
 
-Mesh *out_read(const char *path, const char *format, Diag *d, ExitCode *status)
+Mesh *out_read(const char *path, const char *format, int threads, Diag *d, ExitCode *status)
 {
   ExitCode ignored;
   if (!status) status = &ignored;
@@ -192,7 +197,7 @@ Mesh *out_read(const char *path, const char *format, Diag *d, ExitCode *status)
   }
   const Format *f = choose_reader(path, format, v.text, v.len, d);
   Mesh *m = NULL;
-  if (f && f->read) m = f->read(v.text, v.len, path, d);
+  if (f && f->read) m = f->read(whole(v.text, v.len, path, threads, d));
   else if (f) m = f->read_files(path, d, status);
   if (!m && *status == EXIT_GOOD) *status = EXIT_INPUT;
   file_view_close(&v);

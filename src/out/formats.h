@@ -61,7 +61,8 @@ ExitCode out_write_diff(const Mesh *a, const Mesh *b, const MeshDiff *d, const c
 
 // Read a mesh: format as for out_write, told from the contents when the extension does not say. NULL after an error that
 // gives line or byte offset. *status (may be NULL) gets EXIT_ENVIRONMENT or EXIT_INPUT then. The caller frees with mesh_free.
-Mesh *out_read(const char *path, const char *format, Diag *d, ExitCode *status);
+// threads: 0 for one per processor.
+Mesh *out_read(const char *path, const char *format, int threads, Diag *d, ExitCode *status);
 // The same from memory; name is for messages.
 Mesh *out_read_memory(const char *text, size_t len, const char *name, const char *format, Diag *d);
 

@@ -22,6 +22,30 @@ void import_reserve_nodes(Import *im, size_t n)
   }
 }
 
+static void own_nodes(Import *im, int dim, int entity)
+{
+  if (!im->owner.len || vec_last(&im->owner).dim != dim || vec_last(&im->owner).entity != entity)
+    vec_push(&im->owner, ((ImportOwner){dim, entity, im->mesh->nnode}));
+}
+
+double *import_room(Import *im, uint64_t first, size_t n)
+{
+  Mesh *m = im->mesh;
+  bool continues = m->nnode == 0 || first == im->tag0 + m->nnode;
+  if (!im->dense || !continues || n >= NONE - 2 - m->nnode) return NULL;
+  import_reserve_nodes(im, n);
+  return m->xyz + 3 * m->nnode;
+}
+
+void import_filled(Import *im, uint64_t first, size_t n, int dim, int entity)
+{
+  Mesh *m = im->mesh;
+  if (m->nnode == 0) im->tag0 = first;
+  own_nodes(im, dim, entity);
+  for (size_t i = 0; i < n; i++) m->node_u[m->nnode + i] = NAN;
+  m->nnode += n; // node_entity is filled at the end
+}
+
 // The numbers stopped being consecutive: from now on they are looked up.
 static void make_sparse(Import *im)
 {
@@ -56,8 +80,7 @@ void import_node_slow(Import *im, uint64_t tag, Vec3 x, int dim, int entity, dou
     scan_error(im->s, "too many nodes");
     return;
   }
-  if (!im->owner.len || vec_last(&im->owner).dim != dim || vec_last(&im->owner).entity != entity)
-    vec_push(&im->owner, ((ImportOwner){dim, entity, m->nnode}));
+  own_nodes(im, dim, entity);
   mesh_add_node(m, x, 0, u);
 }
 

@@ -56,6 +56,10 @@ static inline void import_node(Import *im, uint64_t tag, Vec3 x, int dim, int en
   m->nnode++; // node_entity is filled at the end
 }
 void import_reserve_nodes(Import *im, size_t n);
+// Room for the coordinates of n nodes numbered first, first + 1, ..., or NULL if these do not continue those there are. Nothing is
+// added before import_filled, which takes the same numbers.
+double *import_room(Import *im, uint64_t first, size_t n);
+void import_filled(Import *im, uint64_t first, size_t n, int dim, int entity);
 uint32_t import_find_slow(Import *im, uint64_t tag);
 // Index of a node by its tag; an error if there is none.
 static inline uint32_t import_find(Import *im, uint64_t tag)

@@ -370,9 +370,8 @@ static void give_elements(Reader *r)
   }
 }
 
-Mesh *inp__read(const char *text, size_t len, const char *file, Diag *d)
+Mesh *inp__read(Scan s)
 {
-  Scan s = {.p = text, .end = text + len, .begin = text, .name = file, .diag = d};
   Reader r = {.s = &s, .next_tag = 1000000000};
   const char *from, *to;
   size_t keywords = 0;

@@ -125,9 +125,8 @@ static void skip_section(Scan *s)
   }
 }
 
-Mesh *medit__read(const char *text, size_t len, const char *name, Diag *d)
+Mesh *medit__read(Scan s)
 {
-  Scan s = {.p = text, .end = text + len, .begin = text, .name = name, .diag = d};
   Import im;
   int dim = 3;
   bool known = false;

@@ -332,6 +332,7 @@ static void read_node_block41(Reader *r, const BlockHead *h)
 {
   Scan *s = r->s;
   int extra = h->kind ? h->dim : 0;
+  if (!extra && msh__bulk_nodes(&r->im, h->n, owner_dim(h), h->tag)) return;
   Scan tags = *s; // the numbers come before the coordinates, and mostly one by one
   uint64_t first = 0;
   bool dense = true;
@@ -409,6 +410,7 @@ static void read_element_block(Reader *r, const BlockHead *h)
   }
   if (!s->binary && scan_count(s, (int64_t)h->n, 2 * (1 + (size_t)nodes), "elements") != h->n) return;
   uint32_t *to = import_elements(&r->im, (ElemType)h->kind, h->tag, 0, h->n);
+  if (wide && msh__bulk_elements(&r->im, h->n, (size_t)nodes, to)) return;
   for (size_t i = 0; i < h->n && !s->failed; i++) {
     if (!s->binary)
       scan_i64(s, "an element number");
@@ -518,9 +520,8 @@ static bool next_section(Scan *s, char *name, size_t cap)
   return found;
 }
 
-Mesh *msh__read(const char *text, size_t len, const char *name, Diag *d)
+Mesh *msh__read(Scan s)
 {
-  Scan s = {.p = text, .end = text + len, .begin = text, .name = name, .diag = d};
   Reader r = {.s = &s};
   char section[64];
   import_begin(&r.im, &s);

@@ -11,6 +11,8 @@
 #include "mesh/element.h"
 #include "mesh/mesh.h"
 #include "out/formats.h"
+#include "out/import.h"
+#include "out/scan.h"
 
 // What of a mesh goes into a file (select.c).
 typedef struct {
@@ -45,7 +47,7 @@ struct Format {
   int (*write_files)(const char *path, const Selection *s, const OutOptions *o); // instead: several files; errno
   const char *(*lacks)(void);                 // NULL or what this machine lacks to write it
   const char *(*refuses)(const Selection *s); // NULL or why this mesh cannot be written
-  Mesh *(*read)(const char *text, size_t len, const char *name, Diag *d);
+  Mesh *(*read)(Scan s); // a whole file, from its beginning
   Mesh *(*read_files)(const char *path, Diag *d, ExitCode *status); // instead: several files
 };
 
@@ -56,7 +58,7 @@ void vtk__write(Writer *w, const Selection *s, const OutOptions *o);
 #define FORMAT_DECLARE(f)                                               \
   void f##__write(Writer *w, const Selection *s, const OutOptions *o); \
   const char *f##__refuses(const Selection *s);                         \
-  Mesh *f##__read(const char *text, size_t len, const char *name, Diag *d);
+  Mesh *f##__read(Scan s);
 FORMAT_DECLARE(medit)
 void medit__write_2d(Writer *w, const Selection *s, const OutOptions *o); // without z: FreeFEM reads this
 const char *medit__refuses_2d(const Selection *s);
@@ -69,7 +71,7 @@ FORMAT_DECLARE(obj)
 FORMAT_DECLARE(ply)
 FORMAT_DECLARE(stl)
 const char *surface__refuses(const Selection *s);
-Mesh *vtk__read(const char *text, size_t len, const char *name, Diag *d);
+Mesh *vtk__read(Scan s);
 int triangle__write(const char *path, const Selection *s, const OutOptions *o);
 const char *triangle__refuses(const Selection *s);
 Mesh *triangle__read(const char *path, Diag *d, ExitCode *status);
@@ -78,7 +80,12 @@ void svg__write(Writer *w, const Selection *s, const OutOptions *o);
 void pdf__write(Writer *w, const Selection *s, const OutOptions *o);
 const char *picture__lacks(void); // of PNG and PDF
 
-Mesh *msh__read(const char *text, size_t len, const char *name, Diag *d);
+Mesh *msh__read(Scan s);
+
+// Blocks of MSH 4.1 read at once, the n nodes of one and the n elements of `nodes` nodes each of another. False, and nothing is
+// done, where they are not as such files mostly are: then they are to be read number by number.
+bool msh__bulk_nodes(Import *im, size_t n, int dim, int entity);
+bool msh__bulk_elements(Import *im, size_t n, size_t nodes, uint32_t *to);
 
 // $PhysicalNames of the MSH formats; nothing if no group has a name.
 void msh__write_names(Writer *w, const Mesh *m);

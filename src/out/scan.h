@@ -15,6 +15,7 @@ typedef struct {
   Diag *diag;
   bool failed, binary; // binary: errors name the byte, not the line
   bool swap;           // the file's byte order is not ours
+  int threads;         // that may read; 0: one per processor
 } Scan;
 
 // Report `name:line: text` (or `name: byte n: text`), once; further calls do nothing.

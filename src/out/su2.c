@@ -126,9 +126,9 @@ static void read_marker(Import *im, Scan *s, const char *name, size_t len, int i
   read_cells(im, s, n, 1, index, tag);
 }
 
-Mesh *su2__read(const char *text, size_t len, const char *file, Diag *d)
+Mesh *su2__read(Scan s)
 {
-  Scan s = {.p = text, .end = text + len, .begin = text, .name = file, .diag = d}, cells = s;
+  Scan cells = s;
   Import im;
   size_t ncell = 0;
   int markers = 0;

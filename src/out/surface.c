@@ -269,12 +269,6 @@ void stl__write(Writer *w, const Selection *s, const OutOptions *o)
 }
 
 // ---- reading ----------------------------------------------------------------------------------------------------------------------
-static void begin(Scan *s, Import *im, const char *text, size_t len, const char *name, Diag *d)
-{
-  *s = (Scan){.p = text, .end = text + len, .begin = text, .name = name, .diag = d};
-  import_begin(im, s);
-}
-
 static void face_begin(Import *im, int64_t corners, int entity, int group)
 {
   if (corners != 3 && corners != 4)
@@ -291,12 +285,11 @@ static bool next_line(Scan *s, const char **from, const char **to)
   return false;
 }
 
-Mesh *off__read(const char *text, size_t len, const char *name, Diag *d)
+Mesh *off__read(Scan s)
 {
-  Scan s;
   Import im;
   const char *from, *to;
-  begin(&s, &im, text, len, name, d);
+  import_begin(&im, &s);
   if (!next_line(&s, &from, &to) || to - from < 3 || memcmp(from, "OFF", 3) != 0) scan_error(&s, "OFF expected");
   else if (to - from > 3) s.p = from + 3; // the counts are on the same line
   while (!s.failed) { // to the counts
@@ -344,13 +337,12 @@ static void obj_face(Import *im, Scan *s, const char *p, const char *to, int ent
   for (int64_t k = 0; k < n && !s->failed; k++) import_element_node(im, (uint64_t)v[k]);
 }
 
-Mesh *obj__read(const char *text, size_t len, const char *name, Diag *d)
+Mesh *obj__read(Scan s)
 {
-  Scan s;
   Import im;
   const char *from, *to;
   int group = 0;
-  begin(&s, &im, text, len, name, d);
+  import_begin(&im, &s);
   while (!s.failed && next_line(&s, &from, &to)) {
     bool blank = to - from > 1 && (from[1] == ' ' || from[1] == '\t');
     if (blank && from[0] == 'v') {
@@ -507,12 +499,11 @@ static void ply_item(Scan *s, Import *im, const Element *e, bool vertex, bool fa
   import_node(im, im->mesh->nnode, (Vec3){x[0], x[1], x[2]}, -1, 0, NAN);
 }
 
-Mesh *ply__read(const char *text, size_t len, const char *name, Diag *d)
+Mesh *ply__read(Scan s)
 {
   enum { MOST = 16 };
-  Scan s;
   Import im;
-  begin(&s, &im, text, len, name, d);
+  import_begin(&im, &s);
   Element *e = mem_zalloc(MOST * sizeof *e);
   int n = ply_header(&s, e, MOST);
   for (int k = 0; k < n; k++) {
@@ -610,32 +601,28 @@ static void read_stl_text(Scan *s, Import *im, PointMap *map, size_t solids)
   }
 }
 
-static size_t count_solids(const char *text, size_t len)
+static size_t count_solids(Scan s)
 {
   size_t n = 0;
-  const char *p = text, *end = text + len;
-  while (p && p < end) {
-    if (end - p > 5 && strncasecmp(p, "solid", 5) == 0) n++;
-    p = memchr(p, '\n', (size_t)(end - p));
-    if (p) p++;
-  }
+  for (; s.p < s.end; scan_line(&s))
+    if (scan_left(&s) > 5 && strncasecmp(s.p, "solid", 5) == 0) n++;
   return n;
 }
 
-Mesh *stl__read(const char *text, size_t len, const char *name, Diag *d)
+Mesh *stl__read(Scan s)
 {
-  Scan s;
   Import im;
   PointMap map = {0};
-  begin(&s, &im, text, len, name, d);
+  import_begin(&im, &s);
   // Binary files may begin with "solid" too; their length tells.
   uint32_t n = 0;
-  if (len >= 84) memcpy(&n, text + 80, sizeof n);
-  bool binary = len < 5 || strncasecmp(text, "solid", 5) != 0 || (len >= 84 && len == 84 + 50 * (size_t)n);
+  size_t len = scan_left(&s);
+  if (len >= 84) memcpy(&n, s.p + 80, sizeof n);
+  bool binary = len < 5 || strncasecmp(s.p, "solid", 5) != 0 || (len >= 84 && len == 84 + 50 * (size_t)n);
   if (binary)
     read_stl_binary(&s, &im, &map);
   else
-    read_stl_text(&s, &im, &map, count_solids(text, len));
+    read_stl_text(&s, &im, &map, count_solids(s));
   map_free(&map.first);
   vec_free(&map.next);
   return import_finish(&im);

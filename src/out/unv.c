@@ -273,9 +273,8 @@ static void give_elements(Reader *r)
   }
 }
 
-Mesh *unv__read(const char *text, size_t len, const char *file, Diag *d)
+Mesh *unv__read(Scan s)
 {
-  Scan s = {.p = text, .end = text + len, .begin = text, .name = file, .diag = d};
   Reader r = {.s = &s};
   size_t sections = 0;
   import_begin(&r.im, &s);

@@ -273,15 +273,14 @@ static void read_keyword(Reader *r, const char *word)
     scan_error(s, "keyword '%s' is not read", word);
 }
 
-Mesh *vtk__read(const char *text, size_t len, const char *name, Diag *d)
+Mesh *vtk__read(Scan s)
 {
-  Scan s = {.p = text, .end = text + len, .begin = text, .name = name, .diag = d};
   Reader r = {.s = &s};
   Import im;
   char word[128];
   const char *from, *to;
   import_begin(&im, &s);
-  if (len < 14 || memcmp(text, "# vtk DataFile", 14) != 0) scan_error(&s, "this is no legacy VTK file");
+  if (scan_left(&s) < 14 || memcmp(s.p, "# vtk DataFile", 14) != 0) scan_error(&s, "this is no legacy VTK file");
   scan_line(&s);
   scan_line(&s);
   if (!s.failed && scan_get_line(&s, &from, &to)) r.binary = to - from == 6 && strncasecmp(from, "BINARY", 6) == 0;

@@ -365,9 +365,8 @@ static bool offsets_sound(const Reader *r)
   return true;
 }
 
-Mesh *vtu__read(const char *text, size_t len, const char *name, Diag *d)
+Mesh *vtu__read(Scan s)
 {
-  Scan s = {.p = text, .end = text + len, .begin = text, .name = name, .diag = d};
   Import im;
   Reader r = {.s = &s, .im = &im};
   Tag t, within = {.name = "", .len = 0};

@@ -44,7 +44,7 @@ static void measure(const char *what, void (*body)(Bench *), Bench *b)
 }
 
 static void write_file(Bench *b) { out_write(b->mesh, b->path, NULL, &(OutOptions){.binary = b->binary}, b->diag); }
-static void read_file(Bench *b) { mesh_free(out_read(b->path, NULL, b->diag, NULL)); }
+static void read_file(Bench *b) { mesh_free(out_read(b->path, NULL, 0, b->diag, NULL)); }
 static void hash(Bench *b) { mesh_hash(b->mesh, false); }
 
 static void audit(Bench *b)

@@ -28,7 +28,7 @@ static QuadMesh read_mesh(const char *path)
 {
   Diag *diag = diag_new(true);
   ExitCode status;
-  Mesh *mesh = out_read(path, NULL, diag, &status);
+  Mesh *mesh = out_read(path, NULL, 0, diag, &status);
   if (!mesh) std::exit(3);
   std::vector<double> xy;
   std::vector<uint32_t> tri;

@@ -26,3 +26,35 @@ for algorithm in front2d delquad; do
   same "$algorithm, -O0 and -O3" q.msh r.msh
   same "$algorithm, gcc and clang" q.msh s.msh
 done
+
+# Converted by one thread and by three: large blocks are read and written in parts.
+cat >big.geo <<'END'
+Point(1) = {0, 0, 0, 0.013}; Point(2) = {1, 0, 0, 0.004}; Point(3) = {0.7, 1.1, 0, 0.013}; Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 1};
+Curve Loop(1) = {1:3}; Plane Surface(1) = {1}; Physical Surface("in") = {1}; Physical Surface("twice") = {1}; Physical Curve("rim") = {1:3};
+END
+check "a mesh of large blocks" "$MESHGEN" -2 big.geo -v 1 -no_report -clscale 0.7 -o big.msh
+check "the same in binary" "$MESHGEN" big.msh -v 1 -bin -o bigb.msh
+for f in msh msh2 msh1 vtk vtu stl off obj ply mesh inp su2; do
+  for b in "" -bin; do
+    "$MESHGEN" big.msh -v 1 -format $f $b -nt 1 -o one.$f && "$MESHGEN" bigb.msh -v 1 -format $f $b -nt 3 -o three.$f
+    same "converted by one and three threads: $f $b" one.$f three.$f
+  done
+done
+# The same mesh in lines that the fast way does not take.
+awk '/^\$/ { s = $1 } { print } s == "$Elements" && NF == 4 && rand() < 0.001 { print "" }' big.msh >gaps.msh
+awk '/^\$/ { s = $1; print; next } s == "$Nodes" && NF == 1 { printf "%s ", $1; next } s == "$Elements" && NF == 4 { print $1 "\n" $2, $3, $4; next } { print }' big.msh >odd.msh
+sed 's/$/\r/' big.msh >dos.msh
+for f in gaps odd dos; do
+  for n in 1 3; do
+    check "read: $f, $n threads" "$MESHGEN" $f.msh -v 1 -nt $n -o back.msh
+    same "other lines, same mesh: $f, $n threads" big.msh back.msh
+  done
+done
+# What is wrong far inside a large block is found there, whatever the threads.
+awk '/^\$/ { s = $1 } { if (s == "$Elements" && NF == 4 && ++n == 30000) $3 = 99999999; print }' big.msh >wrong.msh
+for n in 1 3; do
+  exits 1 "a wrong node, $n threads" "$MESHGEN" wrong.msh -v 1 -nt $n -o back.msh
+  says "node 99999999 is not defined" "it is named, $n threads"
+  cp err.txt err$n.txt
+done
+same "the same place" err1.txt err3.txt

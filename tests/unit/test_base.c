@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "unit.h"
 
+#include <errno.h>
 #include <math.h>
 #include <unistd.h>
 
 #include "base/diag.h"
 #include "base/file.h"
 #include "base/json.h"
+#include "base/lines.h"
 #include "base/map.h"
 #include "base/mem.h"
 #include "base/number.h"
@@ -113,6 +115,89 @@ static void writer_leaves_a_whole_file_or_none(void **state)
   assert_non_null(w);
   writer_str(w, "x");
   assert_int_not_equal(writer_close(w), 0);
+}
+
+// "i\n" for each item, and now and then a text of the full room.
+static char *put_item(char *p, const void *ctx, size_t from, size_t to)
+{
+  for (size_t i = from; i < to; i++) {
+    p += snprintf(p, 20, "%zu\n", i + *(const size_t *)ctx);
+    if (i % 100 == 0) p = (char *)memset(p, 'x', 80) + 80;
+  }
+  return p;
+}
+
+static char *items_written(int threads, size_t n, size_t *len)
+{
+  char path[] = "/tmp/meshgen-test-XXXXXX";
+  close(mkstemp(path));
+  Writer *w = writer_open(path);
+  writer_threads(w, threads);
+  writer_str(w, "before\n");
+  size_t offset = 5;
+  writer_items(w, n, 100, put_item, &offset);
+  writer_str(w, "after\n");
+  writer_items(w, n, 100, put_item, &offset);
+  assert_int_equal(writer_close(w), 0);
+  char *text = file_read(path, len);
+  unlink(path);
+  return text;
+}
+
+static void items_are_the_same_bytes_whatever_the_threads(void **state)
+{
+  (void)state;
+  for (size_t n = 0; n < 200000; n = 7 * n + 50) {
+    size_t len[2];
+    char *one = items_written(1, n, &len[0]);
+    for (int threads = 2; threads < 5; threads++) {
+      char *more = items_written(threads, n, &len[1]);
+      assert_int_equal(len[0], len[1]);
+      assert_memory_equal(one, more, len[0]);
+      free(more);
+    }
+    free(one);
+  }
+  Writer *w = writer_open("/dev/full");
+  size_t offset = 0;
+  writer_threads(w, 2);
+  writer_items(w, 200000, 100, put_item, &offset);
+  assert_int_equal(writer_close(w), ENOSPC);
+}
+
+// Lines "<number>\n" into an array; a line that begins otherwise is not taken.
+static const char *take_number_lines(void *ctx, const char *p, const char *end, size_t first, size_t n)
+{
+  int64_t *to = ctx;
+  for (size_t i = first; i < first + n; i++) {
+    const char *q = number_read_i64(p, end, &to[i]);
+    if (q == p || q == end || *q != '\n') return NULL;
+    p = q + 1;
+  }
+  return p;
+}
+
+static void lines_are_taken_once_each_by_any_threads(void **state)
+{
+  (void)state;
+  enum { LINES = 100000 };
+  Str text = {0};
+  int64_t *got = mem_zalloc(LINES * sizeof *got);
+  for (int i = 0; i < LINES; i++) str_printf(&text, "%d\n", 7 * i);
+  str_append_n(&text, "$End\n", 5);
+  const char *end = text.data + text.len;
+  for (int threads = 1; threads <= 4; threads++) {
+    memset(got, 0xff, LINES * sizeof *got);
+    assert_ptr_equal(lines_take(text.data, end, LINES, threads, take_number_lines, got), end - 5);
+    for (int i = 0; i < LINES; i++) assert_int_equal(got[i], 7 * i);
+    assert_null(lines_take(text.data, end - 6, LINES, threads, take_number_lines, got)); // the last newline is missing
+    char *middle = text.data + text.len / 2, was = *middle;
+    *middle = 'x';
+    assert_null(lines_take(text.data, end, LINES, threads, take_number_lines, got));
+    *middle = was;
+  }
+  free(got);
+  str_free(&text);
 }
 
 static void arena_memory_is_zeroed_and_apart(void **state)
@@ -223,6 +308,8 @@ int main(void)
       cmocka_unit_test(names_find_what_was_set),
       cmocka_unit_test(numbers_read_back_to_the_same_bits),
       cmocka_unit_test(writer_leaves_a_whole_file_or_none),
+      cmocka_unit_test(items_are_the_same_bytes_whatever_the_threads),
+      cmocka_unit_test(lines_are_taken_once_each_by_any_threads),
       cmocka_unit_test(arena_memory_is_zeroed_and_apart),
       cmocka_unit_test(nearest_names_are_suggested),
       cmocka_unit_test(diagnostics_are_counted_and_merged_in_order),

@@ -29,7 +29,7 @@ static Mesh *round_trip(const Mesh *m, const char *format, const OutOptions *o)
   Diag *d = diag_new(true);
   scratch(path, sizeof path, extension(format));
   assert_int_equal(out_write(m, path, NULL, o, d), EXIT_GOOD);
-  Mesh *back = out_read(path, NULL, d, NULL);
+  Mesh *back = out_read(path, NULL, 0, d, NULL);
   assert_non_null(back);
   assert_int_equal(diag_count(d), 0);
   diag_free(d);
@@ -244,7 +244,7 @@ static void damaged_files_do_no_harm(void **state)
           FILE *file = fopen(path, "wb");
           fwrite(copy, 1, n, file);
           fclose(file);
-          back = out_read(path, NULL, d, NULL);
+          back = out_read(path, NULL, 0, d, NULL);
         } else {
           back = out_read_memory(copy, n, "damaged", h->name, d);
         }

@@ -214,7 +214,7 @@ int examine(const char *path, long wanted)
 {
   Diag *d = diag_new(true);
   ExitCode status;
-  Mesh *m = out_read(path, NULL, d, &status);
+  Mesh *m = out_read(path, NULL, 0, d, &status);
   diag_free(d);
   if (!m) return 2;
   HalfEdgeMesh h;
