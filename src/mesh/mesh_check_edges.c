@@ -217,7 +217,7 @@ static void check_lost(Check *c, EdgeScan *s)
                       "it is an edge of %zu elements of face %d, not of %zu: nodes %llu and %llu", has, m->entity[face].tag, n,
                       number_of(c, v[0]), number_of(c, v[1]));
     }
-    if (listed || c->edges.n == 0) continue;
+    if (listed || c->strict || c->edges.n == 0) continue; // curves that no face lists are known to be free
     size_t lo = 0, up = s->use.len; // any use of this line at all?
     while (lo < up) {
       size_t mid = (lo + up) / 2;
@@ -227,7 +227,7 @@ static void check_lost(Check *c, EdgeScan *s)
     if (free_line && !marked) mark_surface_nodes(c);
     marked |= free_line;
     if (free_line && c->used[v[0]] == 2 && c->used[v[1]] == 2)
-      check__report(c, RULE_LOST_EDGE, !c->strict, curve, c->line_block.data[l], c->line_index.data[l], NONE,
+      check__report(c, RULE_LOST_EDGE, true, curve, c->line_block.data[l], c->line_index.data[l], NONE,
                     middle(m, v[0], v[1]), "it is no edge of a surface element: nodes %llu and %llu",
                     number_of(c, v[0]), number_of(c, v[1]));
   }

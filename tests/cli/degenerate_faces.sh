@@ -122,3 +122,11 @@ prints "  4" "no length is lost"
 check "they fit together" "$MESHGEN" check p.msh
 check "all three are in triangles" awk '/^\$Elements/ { on = 1 } on && $2 == 15 { p[$6] = 1 } on && $2 == 2 { for (i = 6; i <= 8; i++) if ($i in p) used[$i] = 1 }
   END { for (i in used) n++; exit n != 3 }' p.msh
+
+# ---- a curve of one edge from corner to corner that is in no face ----
+cat >free.geo <<'G'
+h = .3; Point(1) = {0, 0, 0, h}; Point(2) = {1, 0, 0, h}; Point(3) = {1, 1, 0, h}; Point(4) = {0, 1, 0, h};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1}; Curve Loop(1) = {1:4}; Plane Surface(1) = {1};
+Line(5) = {1, 3}; Transfinite Curve{5} = 2;
+G
+exits 0 "a free line between nodes of a face" "$MESHGEN" -2 free.geo -o free.msh

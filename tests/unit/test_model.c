@@ -887,7 +887,7 @@ static bool change_something(Fix *f, Rng *r)
   case 2: {
     Sweep w = shift(1, 0, 0);
     if (rng_below(r, 2)) w = turn((Vec3){0, 0, 1}, (Vec3){1, 1, 0}, PI / 2);
-    coherent = model_extrude(f->m, s, 1, &w, &out, NO_LOC, f->d) && out.len; // nothing is merged where there is nothing to extrude
+    coherent = model_extrude(f->m, s, 1, &w, &out, NO_LOC, f->d) && out.len; // what does not exist is passed over
     break;
   }
   case 3: model_delete(f->m, s, 2, rng_below(r, 2)); break;
