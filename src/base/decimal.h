@@ -1,4 +1,4 @@
-// decimal.h - digits of numbers to text and back, eight at a time
+// decimal.h - digits of whole numbers to text and back, eight at a time
 // SPDX-License-Identifier: MIT
 #ifndef BASE_DECIMAL_H
 #define BASE_DECIMAL_H
@@ -9,11 +9,8 @@
 extern "C" {
 #endif
 
-enum { DECIMAL_ROOM = 40 }; // bytes that printing may write to, whatever the length of the text
+enum { DECIMAL_ROOM = 24 }; // bytes that printing may write to, whatever the length of the text
 
-// As number_print for 1e-38 <= |v| < 2^53 and 0; else 0, and nothing is written. Source: [Giulietti20]. Three quarters
-// of the time of <charconv>.
-size_t decimal_print(char *to, double v);
 // As decimal_put_u64.
 char *decimal_put_large(char *p, uint64_t v);
 

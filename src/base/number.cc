@@ -10,8 +10,7 @@
 
 size_t number_print(char *to, double v)
 {
-  size_t n = decimal_print(to, v);
-  return n ? n : (size_t)(std::to_chars(to, to + NUMBER_MAX_TEXT, v).ptr - to);
+  return (size_t)(std::to_chars(to, to + NUMBER_MAX_TEXT, v).ptr - to);
 }
 
 size_t number_print_u64(char *to, uint64_t v)
