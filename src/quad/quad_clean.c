@@ -8,9 +8,11 @@
 #include "quad/quad_patch.h"
 
 // An operation may make valences worse by so much, if shapes and lengths gain.
-enum { WORSE = 2, MAX_RING = 12, PASSES = 2, AGAIN = 20 };
+enum { WORSE = 2, MAX_RING = 12, FIRST_ROUNDS = 2, AGAIN = 20 };
 // Square of a way, over that of the diagonal of an element there, that makes another look worth while.
-#define FAR2 5e-3
+#define FAR2 2e-2
+// The same for one diagonal that is clearly shorter than the other.
+#define SHORT2 0.72
 
 typedef struct {
   QuadEdit d;
@@ -75,6 +77,14 @@ static bool may_close(const QuadEdit *e, uint32_t q, const uint32_t v[4])
   return true;
 }
 
+// Closing a good quad along its longer diagonal is in vain, nearly always, if valences do not gain.
+static bool is_worth_closing(const Vec2 *xy, const uint32_t v[4], int gain)
+{
+  Vec2 joined = vec2_sub(xy[v[0]], xy[v[2]]), other = vec2_sub(xy[v[1]], xy[v[3]]);
+  if (gain > 0 || vec2_dot(joined, joined) < SHORT2 * vec2_dot(other, other)) return true;
+  return quad__skew(xy, v) > PATCH_BAD;
+}
+
 // Close the quad q by joining its corners k and k+2 to one vertex (a diamond where both have valence 3).
 static bool close_quad(Clean *c, uint32_t q, uint32_t k)
 {
@@ -90,7 +100,7 @@ static bool close_quad(Clean *c, uint32_t q, uint32_t k)
   int n0 = (int)quad__count(d, v[0]), change[4] = {4 - n0, -1, n0 - 2, -1}; // v[0] will not be: it costs nothing
   int gain = gain_of(d, v, change, 4);
   QuadPatch p;
-  if (gain < -WORSE || !may_close(d, q, v) || !quad__patch_begin(d, &p, v, 4)) return false;
+  if (gain < 0 || !is_worth_closing(m->xy.data, v, gain) || !may_close(d, q, v) || !quad__patch_begin(d, &p, v, 4)) return false;
   p.gain = gain;
   uint32_t *gone = quad__patch_element(&p, q);
   for (int i = 0; i < 4; i++) gone[i] = NONE;
@@ -269,7 +279,7 @@ static void relax(QuadEdit *d, Relax *x, int passes)
       x->awake[v] = 0;
       for (size_t i = 0; i < n; i++) memcpy(&star[4 * i], &m->vertex.data[4 * (size_t)quad__around(d, v)[i]], 4 * sizeof *star);
       Vec2 old = m->xy.data[v];
-      if (!n || !quad__improve(m->xy.data, m->size.len ? m->size.data : NULL, v, star, n, 1, d->floor)) continue;
+      if (!n || !quad__relax(m->xy.data, m->size.len ? m->size.data : NULL, v, star, n, d->floor)) continue;
       wake_star(x, star, n);
       Vec2 way = vec2_sub(m->xy.data[v], old), edge = vec2_sub(m->xy.data[star[0]], m->xy.data[star[2]]);
       if (vec2_dot(way, way) > FAR2 * vec2_dot(edge, edge)) x->moved[v] = 1;
@@ -321,7 +331,7 @@ void quad_clean(QuadMesh *m, int rounds, QuadReport *report)
     enqueue_irregular(&c.d, &x);
     if (!run(&c, &x)) break;
     make_room(&x, m->xy.len);
-    relax(&c.d, &x, PASSES);
+    relax(&c.d, &x, r < FIRST_ROUNDS ? 2 : 1); // most changes are made in the first rounds
   }
   free(x.awake);
   free(x.moved);

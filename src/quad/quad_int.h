@@ -39,6 +39,8 @@ static inline double quad__corner_skew(Vec2 u, Vec2 w)
   double c2 = dot * dot / size;
   return vec2_cross(u, w) > 0 ? c2 : 2 - c2;
 }
+// What an edge of a wrong length costs beside an element of a wrong shape: more loses angles, less sizes.
+static const double QUAD_LENGTH_WEIGHT = 0.2;
 double quad__triangle_skew(Vec2 a, Vec2 b, Vec2 c);
 double quad__skew(const Vec2 *xy, const uint32_t *corner);
 // Shape of any element on one scale: eta of a quad; of a triangle 1 - 3/pi max |pi/3 - angle|. Skew and shape, each from the other.
@@ -77,6 +79,10 @@ QuadScore quad__score(const Vec2 *xy, const QuadSize *size, const uint32_t *corn
 // edges more as long as wanted, in up to `steps` steps. The worst skew of them never gets worse than it was or than the floor. More
 // than two steps search longer. True if v moved.
 bool quad__improve(Vec2 *xy, const QuadSize *size, uint32_t v, const uint32_t *corner, size_t n, int steps, double floor);
+
+// The same in one long step towards right angles everywhere, not only in the worst corners, which is taken unless an element gets
+// worse than the floor by it: many such passes bring a mesh into shape, quad__improve takes what is left. Short steps are left out.
+bool quad__relax(Vec2 *xy, const QuadSize *size, uint32_t v, const uint32_t *corner, size_t n, double floor);
 
 // The same for the worst element alone, at length, and although some may stay or become turned over.
 bool quad__untangle(Vec2 *xy, const QuadSize *size, uint32_t v, const uint32_t *corner, size_t n);

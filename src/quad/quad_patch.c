@@ -5,10 +5,10 @@
 
 // In energy: what a vertex with one element too many or too few costs; what an element is worth, as without that fewer elements would
 // always seem better; and what a change must gain to be made.
-static const double PI = 3.14159265358979323846, VALENCE = 0.1, ELEMENT = 0.4, GAIN = 0.01;
-// Changes that cost so much before vertices look for better places, and after they did so once, are given up.
-static const double HOPELESS = 1, DOUBTFUL = 0.3;
-static const double BAD = 0.794; // skew; a shape of 0.3
+static const double PI = 3.14159265358979323846, VALENCE = 0.1, ELEMENT = 0.33, GAIN = 0.01;
+// Changes that cost so much before vertices look for better places, and after they did so once, are given up; and those that lack more
+// than the last search for places has gained.
+static const double HOPELESS = 0.8, DOUBTFUL = 0.3;
 enum { SPARE_ROOM = 4, LEAST_ROOM = 8, SWEEPS = 4 };
 
 static const QuadSize *sizes(const QuadMesh *m) { return m->size.len ? m->size.data : NULL; }
@@ -191,19 +191,29 @@ static bool patch_valid(const QuadPatch *p, const Vec2 *xy)
   return true;
 }
 
-bool quad__patch_has_room(const QuadEdit *d, const QuadPatch *p)
+bool quad__patch_has_room(QuadEdit *d, const QuadPatch *p)
 {
-  for (size_t i = 0; i < 4 * p->n; i++) {
-    uint32_t v = p->corner[i];
-    if (p->corner[i / 4 * 4] == NONE || v == NONE) continue;
-    int n = d->count.data[v];
-    for (size_t j = 0; j < p->n; j++) {
-      const uint32_t *was = &d->m->vertex.data[4 * (size_t)p->element[j]], *is = &p->corner[4 * j];
-      for (int k = 0; k < 4; k++) n += (is[0] != NONE && is[k] == v) - (was[0] != NONE && was[k] == v);
-    }
-    if (n > d->room.data[v]) return false;
+  for (size_t i = 0; i < p->n; i++) {
+    const uint32_t *v = &d->m->vertex.data[4 * (size_t)p->element[i]];
+    for (int k = 0; k < 4 && v[0] != NONE; k++)
+      if (v[k] != NONE) d->count.data[v[k]]--;
   }
-  return true;
+  size_t added = 0;
+  for (; added < 4 * p->n; added++) {
+    uint32_t v = p->corner[added];
+    if (p->corner[added / 4 * 4] == NONE || v == NONE) continue;
+    if (d->count.data[v] >= d->room.data[v]) break;
+    d->count.data[v]++;
+  }
+  bool room = added == 4 * p->n;
+  while (added-- > 0)
+    if (p->corner[added / 4 * 4] != NONE && p->corner[added] != NONE) d->count.data[p->corner[added]]--;
+  for (size_t i = 0; i < p->n; i++) {
+    const uint32_t *v = &d->m->vertex.data[4 * (size_t)p->element[i]];
+    for (int k = 0; k < 4 && v[0] != NONE; k++)
+      if (v[k] != NONE) d->count.data[v[k]]++;
+  }
+  return room;
 }
 
 // Once over the core. True if any vertex moved.
@@ -248,10 +258,11 @@ void quad__patch_commit(QuadEdit *d, const QuadPatch *p)
   }
 }
 
-static QuadScore patch_score(const QuadPatch *p, const QuadMesh *m)
+// The score of all elements, or of some that alone have more energy than `most`.
+static QuadScore patch_score(const QuadPatch *p, const QuadMesh *m, double most)
 {
   QuadScore s = {0, 0};
-  for (size_t i = 0; i < p->n; i++) {
+  for (size_t i = 0; i < p->n && s.energy <= most; i++) {
     if (p->corner[4 * i] == NONE) continue;
     QuadScore one = quad__score(m->xy.data, sizes(m), &p->corner[4 * i], 1);
     s.worst = fmax(s.worst, one.worst);
@@ -263,7 +274,7 @@ static QuadScore patch_score(const QuadPatch *p, const QuadMesh *m)
 bool quad__is_hopeless(const QuadEdit *d, const uint32_t *was, const uint32_t *is, size_t n, int gain)
 {
   QuadScore a = quad__score(d->m->xy.data, sizes(d->m), was, n);
-  if (a.worst > BAD) return false;
+  if (a.worst > PATCH_BAD) return false;
   return quad__score(d->m->xy.data, sizes(d->m), is, n).energy > a.energy + VALENCE * gain + HOPELESS;
 }
 
@@ -273,13 +284,15 @@ bool quad__patch_end(QuadEdit *d, QuadPatch *p)
   double limit = p->before.energy + VALENCE * p->gain;
   for (size_t i = 0; i < p->n; i++)
     limit -= ELEMENT * ((d->m->vertex.data[4 * (size_t)p->element[i]] != NONE) - (p->corner[4 * i] != NONE));
-  const bool bad = p->before.worst > BAD;
+  const bool bad = p->before.worst > PATCH_BAD;
   bool keep = false, moved = true;
+  double last = INFINITY;
   for (int sweep = 0; sweep <= SWEEPS && moved && !keep; sweep++) {
-    QuadScore now = patch_score(p, d->m);
+    QuadScore now = patch_score(p, d->m, bad ? INFINITY : limit + HOPELESS);
     bool better = now.worst <= fmax(p->before.worst, d->floor) && now.energy < limit - GAIN;
     keep = (better || (bad && now.worst < p->before.worst - GAIN)) && patch_valid(p, xy);
-    if (!bad && now.energy > limit + (sweep ? DOUBTFUL : HOPELESS)) break;
+    if (!bad && now.energy > limit + (sweep ? fmin(DOUBTFUL, last - now.energy) : HOPELESS)) break;
+    last = now.energy;
     moved = !keep && sweep < SWEEPS && find_places(d, p, sweep ? 2 : 1);
   }
   keep = keep && quad__patch_has_room(d, p);

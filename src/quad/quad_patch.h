@@ -37,6 +37,9 @@ bool quad__is_locked(const QuadEdit *d, uint32_t a, uint32_t b);
 // True if x is joined to y by an edge.
 bool quad__joined(const QuadEdit *d, uint32_t x, uint32_t y);
 
+// Skew of elements that must change, a shape of 0.3.
+#define PATCH_BAD 0.794
+
 enum { PATCH_ELEMENTS = 64, PATCH_CORE = 8 };
 
 // The elements around some vertices (the core), before and after.
@@ -59,7 +62,7 @@ void quad__patch_replace(QuadPatch *p, uint32_t from, uint32_t to);
 // Would quad__patch_end give up at once, as n elements was[4n] become is[4n] and no others change?
 bool quad__is_hopeless(const QuadEdit *d, const uint32_t *was, const uint32_t *is, size_t n, int gain);
 // Has every vertex room for the elements it is to have?
-bool quad__patch_has_room(const QuadEdit *d, const QuadPatch *p);
+bool quad__patch_has_room(QuadEdit *d, const QuadPatch *p);
 // Make the elements what they are to be, and enqueue all vertices of them, whatever that is worth.
 void quad__patch_commit(QuadEdit *d, const QuadPatch *p);
 // Let the core find better places, then keep the new elements if they are better by valences and energy, and none is worse than the worst

@@ -1,57 +1,8 @@
 // quad_smooth.c - moving vertices: never to the harm of the worst element around
 // SPDX-License-Identifier: MIT
 #include "base/base.h"
-#include "geom/predicates.h"
 #include "quad/quad_int.h"
 #include "quad/quad_mesh.h"
-
-static const double PI = 3.14159265358979323846;
-
-// ---- shapes
-
-double quad__triangle_skew(Vec2 a, Vec2 b, Vec2 c)
-{
-  Vec2 p[3] = {a, b, c};
-  double worst = 0;
-  for (int i = 0; i < 3; i++) {
-    Vec2 u = vec2_sub(p[(i + 1) % 3], p[i]), v = vec2_sub(p[(i + 2) % 3], p[i]);
-    worst = fmax(worst, fabs(PI / 3 - atan2(vec2_cross(u, v), vec2_dot(u, v))));
-  }
-  return quad__skew_of_shape(1 - 3 / PI * worst);
-}
-
-double quad__skew(const Vec2 *xy, const uint32_t *v)
-{
-  if (v[3] == NONE) return quad__triangle_skew(xy[v[0]], xy[v[1]], xy[v[2]]);
-  double most = 0;
-  Vec2 side[4];
-  for (int i = 0; i < 4; i++) side[i] = vec2_sub(xy[v[(i + 1) % 4]], xy[v[i]]);
-  for (int i = 0; i < 4; i++) {
-    double skew = quad__corner_skew(side[i], vec2_scale(-1, side[(i + 3) % 4]));
-    most = skew > most ? skew : most;
-  }
-  return most;
-}
-
-double quad__skew_of_shape(double shape)
-{
-  double s = sin(PI / 2 * (1 - shape));
-  return shape >= 0 ? s * s : fmin(2 - s * s, 2);
-}
-
-double quad__shape(const Vec2 *xy, const uint32_t *v)
-{
-  double skew = quad__skew(xy, v);
-  return skew <= 1 ? 1 - 2 / PI * asin(sqrt(skew)) : skew <= 2 ? -(1 - 2 / PI * asin(sqrt(2 - skew))) : -1;
-}
-
-bool quad__convex(const Vec2 *xy, const uint32_t *v)
-{
-  int n = v[3] == NONE ? 3 : 4;
-  for (int i = 0; i < n; i++)
-    if (orient2d(&xy[v[i]].x, &xy[v[(i + 1) % n]].x, &xy[v[(i + 2) % n]].x) <= 0) return false;
-  return true;
-}
 
 // ---- stars
 
@@ -96,12 +47,15 @@ static int worse_first(const void *a, const void *b)
   return p->element < q->element ? -1 : p->element > q->element;
 }
 
-enum { MAX_STAR = 32, WORST_STEPS = 6 };
+enum { MAX_STAR = 32, WORST_STEPS = 6, EXACT_PASSES = 1 };
 
+// `steps` of quad__improve; 0: quad__relax instead.
 static bool improve(QuadMesh *m, const QuadStars *s, uint32_t v, int steps, double floor, uint32_t *corner, size_t *n)
 {
+  const QuadSize *size = m->size.len ? m->size.data : NULL;
   *n = collect_star(m, s, v, corner, MAX_STAR);
-  return *n && quad__improve(m->xy.data, m->size.len ? m->size.data : NULL, v, corner, *n, steps, floor);
+  if (!*n) return false;
+  return steps ? quad__improve(m->xy.data, size, v, corner, *n, steps, floor) : quad__relax(m->xy.data, size, v, corner, *n, floor);
 }
 
 // The corners of bad elements, worst element first, with a longer search.
@@ -142,7 +96,7 @@ void quad_smooth(QuadMesh *m, int passes)
       if (m->fixed.data[v] || (pass > 0 && still[v])) continue;
       still[v] = 1;
       size_t n;
-      if (improve(m, &s, v, 1, floor, corner, &n))
+      if (improve(m, &s, v, passes - pass <= EXACT_PASSES, floor, corner, &n))
         for (size_t i = 0; i < 4 * n; i++)
           if (corner[i] != NONE) still[corner[i]] = 0;
     }

@@ -9,7 +9,7 @@
 
 QuadParams quad_params_default(void)
 {
-  return (QuadParams){.algorithm = QUAD_BLOSSOM, .angle = 45, .cleanup = 10, .smoothing = 10, .min_eta = 0.01};
+  return (QuadParams){.algorithm = QUAD_BLOSSOM, .angle = 45, .cleanup = 10, .smoothing = 5, .min_eta = 0.01};
 }
 
 static void merge(QuadMesh *m, uint32_t s, uint32_t t)
