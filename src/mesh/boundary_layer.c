@@ -228,7 +228,7 @@ static int point_tag(const Planner *p, const Seg *s)
 }
 
 // Cells of a fan that turns by `angle` at the beginning of segment s: 0 if there is to be none.
-static int fan_cells(const Planner *p, const Seg *s, double angle)
+static int wanted_cells(const Planner *p, const Seg *s, double angle)
 {
   if (angle >= 0) return 0;
   int tag = point_tag(p, s);
@@ -264,13 +264,22 @@ static void push_column(const Planner *p, Chain *c, const Seg *s, bool at_end, V
                               .first = first_at_node(p, c->field, s->curve, node), .on = NONE}));
 }
 
+// Where quadrangles are wanted two cells of the fan have one at its tip: their number is even, and two turn by less than 120 degrees.
+static int fan_cells(const Planner *p, const Seg *s, double angle, bool quads)
+{
+  int n = wanted_cells(p, s, angle);
+  if (!n || !quads) return n;
+  n = MAX(n, (int)ceil(-angle / (PI / 3)));
+  return n + n % 2;
+}
+
 // Columns at the node between two layered segments.
 static void add_inner(const Planner *p, Chain *c, const Seg *before, const Seg *s)
 {
   Vec2 d = unit(vec2_sub(before->b, before->a)), e = unit(vec2_sub(s->b, s->a));
   double angle = atan2(vec2_cross(d, e), vec2_dot(d, e));
   if (angle > PI - 1e-9) angle = -PI; // the tip of a slit
-  int fan = fan_cells(p, s, angle);
+  int fan = fan_cells(p, s, angle, c->quads);
   if (fan) {
     for (int k = 0; k <= fan; k++) push_column(p, c, s, false, k == fan ? left_of(e) : rotated(left_of(d), angle * k / fan));
     return;
@@ -307,6 +316,9 @@ static void set_end(const Planner *p, Chain *c, Column *k, Vec2 along, Vec2 norm
   } else if (angle >= 150 * deg) {
     k->open = true;
     k->dir = normal;
+  } else if (c->quads && angle > 50 * deg) { // halfway: the corner between layers and curve is left to the rest
+    k->open = true;
+    k->dir = vec2_add(normal, vec2_scale(1 / tan(angle / 2), along));
   } else {
     k->collapsed = true;
     k->s = 0;
@@ -331,7 +343,7 @@ static void add_chains(const Planner *p, FaceLayers *f, const SegVec *seg)
     if (seg->data[i].field && seg->data[(i + n - 1) % n].field != seg->data[i].field) start = i;
   if (start == n) { // one field or none all round
     if (!n || !seg->data[0].field) return;
-    Chain c = {.closed = true, .field = seg->data[0].field};
+    Chain c = {.closed = true, .quads = f->quads, .field = seg->data[0].field};
     for (size_t i = 0; i < n; i++) add_inner(p, &c, &seg->data[(i + n - 1) % n], &seg->data[i]);
     vec_push(&f->chain, c);
     return;
@@ -341,7 +353,7 @@ static void add_chains(const Planner *p, FaceLayers *f, const SegVec *seg)
     size_t j = i;
     while (j < start + n && seg->data[j % n].field == lf) j++;
     if (lf) {
-      Chain c = {.field = lf};
+      Chain c = {.quads = f->quads, .field = lf};
       push_column(p, &c, &seg->data[i % n], false, (Vec2){0, 0});
       for (size_t k = i + 1; k < j; k++) add_inner(p, &c, &seg->data[(k - 1) % n], &seg->data[k % n]);
       push_column(p, &c, &seg->data[(j - 1) % n], true, (Vec2){0, 0});
@@ -465,6 +477,7 @@ static void relink_all(const Walk *w)
 static void plan_face(const Planner *p, FaceLayers *f, const Face *face)
 {
   Walk w = {0};
+  f->quads = face->recombine || p->opt->Mesh_RecombineAll;
   collect(p, face, &w);
   relink_all(&w);
   bool *seen = mem_zalloc(w.seg.len);
@@ -483,7 +496,6 @@ static void plan_face(const Planner *p, FaceLayers *f, const Face *face)
   vec_free(&w.seg);
   vec_free(&w.start);
   vec_free(&w.next);
-  f->quads = face->recombine || p->opt->Mesh_RecombineAll;
 }
 
 static bool face_has_layers(const Planner *p, const Face *face)

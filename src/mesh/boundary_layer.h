@@ -11,6 +11,9 @@
 // that curve, whose nodes are changed accordingly; at other ends the layers run together in the end point, or end openly where
 // the boundary goes on nearly straight or turns away. An embedded curve of the list has layers on both sides, and a fan round an end
 // that stands free; where it begins on the boundary the layers of both go on into each other.
+//
+// In a face that becomes quadrangles no cell is a triangle: fans have an even number of cells, two of which share a quadrangle at the
+// tip, layers end openly at curves that leave at more than 50 degrees, and the corner beside a column without height is left out.
 #ifndef MESH_BOUNDARY_LAYER_H
 #define MESH_BOUNDARY_LAYER_H
 

@@ -45,14 +45,28 @@ static uint32_t node_on_curve(const Filler *f, uint32_t curve, bool from_end, si
   return edge_nodes_at(f->en, f->curves->model, f->curves, curve, from_end ? n - 1 - i : i);
 }
 
+// Columns without height. Where quadrangles only are wanted a column between two of them has no cell of four corners: it is left out, too.
+static bool *flat_columns(const Chain *c)
+{
+  size_t ncol = c->col.len;
+  bool *flat = mem_alloc(ncol * sizeof *flat);
+  for (size_t i = 0; i < ncol; i++) flat[i] = c->col.data[i].collapsed || !(c->col.data[i].s > 0);
+  for (size_t i = 0; i < ncol && c->quads; i++) {
+    bool before = !c->closed && i == 0 ? true : flat[(i + ncol - 1) % ncol];
+    bool after = !c->closed && i + 1 == ncol ? true : flat[(i + 1) % ncol];
+    flat[i] |= before && after && c->col.data[i].on == NONE;
+  }
+  return flat;
+}
+
 // Ids of the nodes of a column: n + 1 of them from its base to its top.
-static void column_nodes(Filler *f, const Chain *c, const Column *k, uint32_t *id)
+static void column_nodes(Filler *f, const Chain *c, const Column *k, bool flat, uint32_t *id)
 {
   size_t n = c->field->height.len;
   column__heights(c->field, k->first, k->s, f->height.data);
   id[0] = edge_nodes_at(f->en, f->curves->model, f->curves, k->curve, k->index);
   for (size_t i = 1; i <= n; i++) {
-    if (k->collapsed || !(k->s > 0)) {
+    if (flat) {
       id[i] = id[0];
     } else if (k->on != NONE) {
       id[i] = node_on_curve(f, k->on, k->on_end, i);
@@ -128,28 +142,79 @@ static void add_segment(FaceGraph *g, const Filler *f, uint32_t a, uint32_t b, i
   vec_push(&g->embedded, embedded);
 }
 
+// The nodes of all columns of a chain, and what becomes of them.
+typedef struct {
+  const Chain *chain;
+  uint32_t *id;     // n + 1 of each column
+  uint8_t *sides;   // by column: on how many sides it bounds the rest of the face
+  bool *tip;        // by cell: its triangle at the tip of a fan is half of a quadrangle that the cell before has made
+  size_t n;         // layers
+} Filling;
+
+static const uint32_t *column_ids(const Filling *w, size_t i) { return w->id + i % w->chain->col.len * (w->n + 1); }
+
+// The triangles at the tip of a fan of the cells i and i+1, as one quadrangle.
+static bool join_tips(Filler *f, const Filling *w, size_t i)
+{
+  if (i + 1 >= chain__cells(w->chain)) return false;
+  const uint32_t *a = column_ids(w, i), *b = column_ids(w, i + 1), *c = column_ids(w, i + 2);
+  if (a[0] != b[0] || b[0] != c[0] || a[0] == a[1] || b[0] == b[1] || c[0] == c[1]) return false;
+  const uint32_t quad[4] = {a[0], c[1], b[1], a[1]};
+  push_cell(f, quad, true);
+  w->tip[i + 1] = true;
+  return true;
+}
+
+// The cells between the columns i and i+1 are left to the rest of the face.
+static void leave_cells(Filler *f, const Filling *w, size_t i, int tag, FaceGraph *g)
+{
+  add_segment(g, f, column_ids(w, i)[0], column_ids(w, i + 1)[0], tag, false);
+  w->sides[i % w->chain->col.len]++;
+  w->sides[(i + 1) % w->chain->col.len]++;
+}
+
+// Cells between the columns i and i+1. Beside a column without height they are triangles that become ever thinner: where
+// quadrangles only are wanted that corner is left to the rest of the face, and so is a cell of a fan whose tip has no other half.
+static void fill_cells(Filler *f, const Filling *w, size_t i, FaceGraph *g)
+{
+  const Chain *c = w->chain;
+  const uint32_t *a = column_ids(w, i), *b = column_ids(w, i + 1);
+  int tag = model_curve_at(f->curves->model, c->col.data[i].curve)->tag;
+  bool flat_a = a[0] == a[w->n], flat_b = b[0] == b[w->n];
+  bool tip = w->tip[i] || (c->quads && join_tips(f, w, i));
+  if (c->quads && !tip && (flat_a != flat_b || (a[0] == b[0] && !flat_a))) {
+    leave_cells(f, w, i, tag, g);
+    return;
+  }
+  for (size_t k = tip; k < w->n; k++) {
+    const uint32_t v[4] = {a[k], b[k], b[k + 1], a[k + 1]};
+    push_cell(f, v, c->field->quads || c->quads);
+  }
+  add_segment(g, f, a[w->n], b[w->n], tag, false);
+}
+
 static void fill_chain(Filler *f, const Chain *c, FaceGraph *g)
 {
   size_t n = c->field->height.len, ncol = c->col.len;
+  Filling w = {.chain = c, .n = n, .id = mem_alloc(ncol * (n + 1) * sizeof *w.id), .sides = mem_zalloc(ncol),
+               .tip = mem_zalloc((ncol + 1) * sizeof *w.tip)};
+  bool *flat = flat_columns(c);
   vec_resize(&f->height, n);
-  uint32_t *id = mem_alloc(ncol * (n + 1) * sizeof *id);
-  for (size_t i = 0; i < ncol; i++) column_nodes(f, c, &c->col.data[i], id + i * (n + 1));
-  for (size_t i = 0; i < chain__cells(c); i++) {
-    const uint32_t *a = id + i * (n + 1), *b = id + (i + 1) % ncol * (n + 1);
-    for (size_t k = 0; k < n; k++) {
-      const uint32_t v[4] = {a[k], b[k], b[k + 1], a[k + 1]};
-      push_cell(f, v, c->field->quads || f->f->quads);
-    }
-    int tag = model_curve_at(f->curves->model, c->col.data[i].curve)->tag;
-    add_segment(g, f, a[n], b[n], tag, false);
-  }
   for (size_t i = 0; i < ncol; i++) {
-    if (!c->col.data[i].open) continue;
-    const uint32_t *a = id + i * (n + 1);
-    int tag = model_curve_at(f->curves->model, c->col.data[i].curve)->tag;
-    for (size_t k = 0; k < n; k++) add_segment(g, f, a[k], a[k + 1], tag, false);
+    column_nodes(f, c, &c->col.data[i], flat[i], w.id + i * (n + 1));
+    w.sides[i] += c->col.data[i].open;
   }
-  free(id);
+  for (size_t i = 0; i < chain__cells(c); i++) fill_cells(f, &w, i, g);
+  for (size_t i = 0; i < ncol; i++) {
+    if (!w.sides[i]) continue;
+    const uint32_t *a = column_ids(&w, i);
+    int tag = model_curve_at(f->curves->model, c->col.data[i].curve)->tag;
+    for (size_t k = 0; k < n; k++) add_segment(g, f, a[k], a[k + 1], tag, w.sides[i] == 2);
+  }
+  free(w.id);
+  free(w.sides);
+  free(w.tip);
+  free(flat);
 }
 
 // Nodes at the two ends of each curve that columns have taken.

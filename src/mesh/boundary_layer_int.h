@@ -32,6 +32,7 @@ typedef struct {
 typedef struct {
   Vec(Column) col;
   bool closed, dropped;
+  bool quads;        // the face is to become quadrangles
   const LayerField *field;
 } Chain;
 

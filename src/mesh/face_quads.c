@@ -160,9 +160,6 @@ bool face_quads(const Tri *t, const FaceGraph *g, const FaceMap *map, const Opti
                  report.cut                              ? "quadrangles there would not be convex"
                  : report.triangles > report.odd_parts ? "there are no pairs that would be convex quadrangles"
                                                          : "its boundary has an odd number of edges");
-  if (out->ntri && said)
-    diag_warning(diag, map->face->loc, "surface %d keeps %zu triangle%s: tips of the fans of its boundary layers", map->face->tag,
-                 out->ntri, out->ntri == 1 ? "" : "s");
   out->matching_seconds = report.matching_seconds;
   uint32_t *id = number_vertices(&w, base, out);
   put_elements(&w.mesh, id, out);

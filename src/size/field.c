@@ -366,9 +366,11 @@ void fields_set_background_view(FieldSet *f, int index, SrcLoc loc)
 void fields_set_boundary_layers(FieldSet *f, const double *id, size_t n, SrcLoc loc)
 {
   (void)loc;
-  vec_clear(&f->layer);
-  for (size_t i = 0; i < n; i++)
-    if (fabs(id[i]) < 1e9) vec_push(&f->layer, (int)id[i]);
+  for (size_t i = 0; i < n; i++) {
+    bool known = !(fabs(id[i]) < 1e9);
+    for (size_t k = 0; k < f->layer.len && !known; k++) known = f->layer.data[k] == (int)id[i];
+    if (!known) vec_push(&f->layer, (int)id[i]);
+  }
 }
 
 size_t fields_boundary_layers(const FieldSet *f, const int **id)

@@ -42,7 +42,7 @@ SrcLoc field_loc(const FieldSet *f, int id);
 // Background Field = id; the last one wins, -1 for none. Whether it exists is checked by size_new (a warning).
 void fields_set_background(FieldSet *f, int id, SrcLoc loc);
 int fields_background(const FieldSet *f);
-// BoundaryLayer Field = {ids}.
+// BoundaryLayer Field = {ids}: these too, besides those of former calls.
 void fields_set_boundary_layers(FieldSet *f, const double *id, size_t n, SrcLoc loc);
 size_t fields_boundary_layers(const FieldSet *f, const int **id);
 

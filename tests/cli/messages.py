@@ -318,11 +318,6 @@ SCRIPTS = [
     (0, "surface 2 cannot be transfinite (it has holes)", SQUARE + "Point(11)={.4,.4,0,h}; Point(12)={.6,.4,0,h}; Point(13)={.6,.6,0,h}; Line(11)={11,12};"
      "Line(12)={12,13}; Line(13)={13,11}; Curve Loop(2)={11:13}; Plane Surface(2)={1,2}; Delete{Surface{1};} Transfinite Surface{2};", []),
     (0, "keeps its boundary edges:", SQUARE + "Transfinite Curve{1,3}=20; Transfinite Curve{2,4}=2; Transfinite Surface{1};", ["-min_angle", "25"]),
-    (0, "tips of the fans of its boundary layers",
-     "Point(1)={0,0,0,.2}; Point(2)={1,0,0,.2}; Point(3)={1,1,0,.2}; Point(4)={-1,1,0,.2}; Point(5)={-1,-1,0,.2}; Point(6)={0,-1,0,.2};"
-     "Line(1)={1,2}; Line(2)={2,3}; Line(3)={3,4}; Line(4)={4,5}; Line(5)={5,6}; Line(6)={6,1}; Curve Loop(1)={1:6}; Plane Surface(1)={1};"
-     "Field[1]=BoundaryLayer; Field[1].CurvesList={1,6}; Field[1].PointsList={2,6}; Field[1].FanPointsList={1}; Field[1].Size=.02;"
-     "Field[1].Ratio=1.3; Field[1].Thickness=.1; Field[1].Quads=1; BoundaryLayer Field=1; Recombine Surface{1};", []),
     (0, "stays in triangles: a smallest angle is promised for triangles only", SQUARE + "Recombine Surface{1};", ["-min_angle", "25"]),
 ]
 for number, (status, text, geo, words) in enumerate(SCRIPTS):

@@ -111,4 +111,27 @@ G
 exits 0 "some faces recombined, one with an angle of its own" "$MESHGEN" -2 some.geo -o s.msh -require "quads>20" -require "triangles>20"
 exits 0 "they conform" "$MESHGEN" check s.msh
 exits 0 "OpenMesh reads them as one manifold" "$halfedges" s.msh 1
+# Boundary layers: tips of fans, walls of all angles at curves that cannot take the nodes of the layers, explicit odd numbers.
+cat >layers.geo <<'G'
+h = 0.12;
+Point(1) = {0, 0, 0, h}; Point(2) = {3, 0, 0, h}; Point(3) = {3.6, 2, 0, h}; Point(4) = {-1, 2, 0, h};
+Point(5) = {1, 0.7, 0, h}; Point(6) = {2, 0.8, 0, h}; Point(7) = {1.5, 1.4, 0, h};
+For i In {1:4}
+  Line(i) = {i, i % 4 + 1};
+EndFor
+Line(5) = {5, 6}; Line(6) = {6, 7}; Line(7) = {7, 5}; Transfinite Curve{2, 3, 4} = 19;
+Curve Loop(1) = {1:4}; Curve Loop(2) = {5:7}; Plane Surface(1) = {1, 2}; Recombine Surface{1};
+Field[1] = BoundaryLayer; Field[1].CurvesList = {1}; Field[2] = BoundaryLayer; Field[2].CurvesList = {5:7};
+Field[2].FanPointsList = {5:7}; Field[2].FanPointsSizesList = {3, 7, 1};
+For i In {1:2}
+  Field[i].Size = 0.01; Field[i].Ratio = 1.3; Field[i].Thickness = 0.15;
+EndFor
+BoundaryLayer Field = 1; BoundaryLayer Field = 2;
+G
+for angle in 2 3 4; do # points of the quadrilateral that move up or down
+  exits 0 "boundary layers in quadrangles, $angle" "$MESHGEN" -2 layers.geo -o l.msh -require triangles=0 -require index_sum=0 -require "quads>700"
+  exits 0 "boundary layers $angle: conforming" "$MESHGEN" check l.msh
+  exits 0 "boundary layers $angle: a manifold with one hole" "$halfedges" l.msh 0
+  sed -i "s/^Point(1) = {0, 0, 0, h}; Point(2) = {[0-9.]*/Point(1) = {-$angle, 0, 0, h}; Point(2) = {2.$angle/" layers.geo
+done
 echo "1..$count"
