@@ -6,13 +6,36 @@
 
 #include "mesh/periodic.h"
 
+static void find_loose(EdgeTable *t, const Mesh *m)
+{
+  t->loose = mem_zalloc(m->nentity + 1);
+  bool lists = false;
+  for (size_t i = 0; i < m->nentity; i++) {
+    t->loose[i] = m->entity[i].dim == 1;
+    lists |= m->entity[i].dim == 2 && m->entity[i].boundary.len;
+  }
+  for (size_t i = 0; i < m->nentity; i++) {
+    const MeshEntity *f = &m->entity[i];
+    for (size_t k = 0; f->dim == 2 && k < f->boundary.len + f->embedded.len; k++) {
+      int tag = k < f->boundary.len ? f->boundary.data[k] : f->embedded.data[k - f->boundary.len];
+      uint32_t e = mesh_find_entity(m, 1, abs(tag));
+      if (e != NONE) t->loose[e] = false;
+    }
+  }
+  for (size_t i = 0; !lists && i < m->nentity; i++) t->loose[i] = false;
+}
+
+static void push_edge(EdgeTable *t, uint32_t a, uint32_t b, uint32_t entity, double ua, double ub)
+{
+  mem_grow(&t->edge, &t->cap, t->n + 1, sizeof *t->edge);
+  t->edge[t->n++] = (MeshEdge){a, b, entity, ua, ub};
+}
+
 static void add_edge(EdgeTable *t, uint32_t a, uint32_t b, uint32_t entity, double ua, double ub)
 {
   bool added;
   map_slot(&t->index, map_pair(a, b), (uint32_t)t->n, &added);
-  if (!added) return;
-  mem_grow(&t->edge, &t->cap, t->n + 1, sizeof *t->edge);
-  t->edge[t->n++] = (MeshEdge){a, b, entity, ua, ub};
+  if (added) push_edge(t, a, b, entity, ua, ub);
 }
 
 // Parameter of node v, an end of the k-th of n line elements of a curve.
@@ -30,7 +53,12 @@ static void add_line_block(EdgeTable *t, const Mesh *m, const MeshBlock *b)
     uint32_t v = b->node[k * per + backwards], w = b->node[k * per + !backwards];
     double ua = parameter(m, b->entity, v, k > 0), ub = parameter(m, b->entity, w, true);
     if (!(ua < ub)) ua = ub = NAN; // a single reversed element, or a mesh whose parameters are not known
-    add_edge(t, v, w, b->entity, ua, ub);
+    if (t->loose[b->entity]) {
+      map_set(&t->loose_index, (uint64_t)b->entity << 32 | b->node[k * per], (uint32_t)t->n);
+      push_edge(t, v, w, b->entity, ua, ub);
+    } else {
+      add_edge(t, v, w, b->entity, ua, ub);
+    }
   }
 }
 
@@ -47,6 +75,7 @@ static void add_surface_block(EdgeTable *t, const MeshBlock *b)
 void edge_table_make(EdgeTable *t, const Mesh *m)
 {
   *t = (EdgeTable){0};
+  find_loose(t, m);
   for (size_t i = 0; i < m->nblock; i++)
     if (elem_dim(m->block[i].type) == 1) add_line_block(t, m, &m->block[i]);
   for (size_t i = 0; i < m->nblock; i++)
@@ -57,10 +86,16 @@ void edge_table_free(EdgeTable *t)
 {
   map_free(&t->index);
   free(t->edge);
+  free(t->loose);
+  map_free(&t->loose_index);
   *t = (EdgeTable){0};
 }
 
 uint32_t edge_table_find(const EdgeTable *t, uint32_t a, uint32_t b) { return map_get(&t->index, map_pair(a, b)); }
+uint32_t edge_table_find_line(const EdgeTable *t, uint32_t curve, uint32_t a, uint32_t b)
+{
+  return t->loose[curve] ? map_get(&t->loose_index, (uint64_t)curve << 32 | a) : edge_table_find(t, a, b);
+}
 
 Vec3 edge_table_point(const EdgeTable *t, const Mesh *m, const Model *model, uint32_t e, double s, double *u)
 {
@@ -179,10 +214,19 @@ void enriched_free(Enriched *e, const Mesh *m)
   free(e->edge);
 }
 
+static uint32_t added_node(const Enriched *e, const EdgeTable *t, int per_edge, uint32_t edge, uint32_t a, int k)
+{
+  return e->edge[edge] + (uint32_t)(t->edge[edge].a == a ? k : per_edge - 1 - k);
+}
+
 uint32_t enriched_at(const Enriched *e, const EdgeTable *t, int per_edge, uint32_t a, uint32_t b, int k)
 {
-  uint32_t i = edge_table_find(t, a, b);
-  return e->edge[i] + (uint32_t)(t->edge[i].a == a ? k : per_edge - 1 - k);
+  return added_node(e, t, per_edge, edge_table_find(t, a, b), a, k);
+}
+
+uint32_t enriched_on_line(const Enriched *e, const EdgeTable *t, int per_edge, uint32_t curve, uint32_t a, uint32_t b, int k)
+{
+  return added_node(e, t, per_edge, edge_table_find_line(t, curve, a, b), a, k);
 }
 
 uint32_t *enriched_block(Enriched *e, uint32_t entity, ElemType type, size_t n)

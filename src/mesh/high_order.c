@@ -73,7 +73,7 @@ static void write_lines(const Elevator *v, const MeshBlock *from, uint32_t *to)
     uint32_t a = from->node[2 * k], b = from->node[2 * k + 1];
     *to++ = v->e.node[a];
     *to++ = v->e.node[b];
-    for (int i = 0; i < v->per_edge; i++) *to++ = enriched_at(&v->e, &v->table, v->per_edge, a, b, i);
+    for (int i = 0; i < v->per_edge; i++) *to++ = enriched_on_line(&v->e, &v->table, v->per_edge, from->entity, a, b, i);
   }
 }
 

@@ -18,10 +18,32 @@ static const uint32_t *line_nodes(const Check *c, uint32_t line)
   return k->node + c->line_index.data[line] * (size_t)elem_nodes(k->type);
 }
 
+// Per entity: is it a curve that a face lists?
+static bool *listed_curves(const Mesh *m)
+{
+  bool *listed = mem_zalloc(m->nentity + 1);
+  for (size_t i = 0; i < m->nentity; i++) {
+    const MeshEntity *f = &m->entity[i];
+    for (size_t k = 0; f->dim == 2 && k < f->boundary.len + f->embedded.len; k++) {
+      uint32_t e = mesh_find_entity(m, 1, abs(k < f->boundary.len ? f->boundary.data[k] : f->embedded.data[k - f->boundary.len]));
+      if (e != NONE) listed[e] = true;
+    }
+  }
+  return listed;
+}
+
+// Curves between the same points may have one line each between the same nodes, if one of them is known to be in no face: the faces
+// are looked at with the other.
+static bool may_share(const Check *c, const bool *listed, uint32_t a, uint32_t b)
+{
+  return c->strict && a != b && !(listed[a] && listed[b]);
+}
+
 // Gather the line elements; on_line marks their ends.
 static void gather_lines(Check *c, uint8_t *on_line)
 {
   const Mesh *m = c->m;
+  bool *listed = listed_curves(m);
   for (uint32_t b = 0; b < m->nblock; b++) {
     const MeshBlock *k = &m->block[b];
     if (elem_dim(k->type) != 1) continue;
@@ -32,8 +54,10 @@ static void gather_lines(Check *c, uint8_t *on_line)
       if (v[0] == v[1])
         check__report(c, RULE_DEGENERATE, false, k->entity, b, i, v[0], mesh_xyz(m, v[0]), "both ends are node %llu",
                       number_of(c, v[0]));
-      else if (!added)
-        check__report(c, RULE_DUPLICATE_ELEMENT, false, k->entity, b, i, NONE, middle(m, v[0], v[1]),
+      else if (!added && may_share(c, listed, k->entity, line_curve(c, *slot))) {
+        if (listed[k->entity]) *slot = (uint32_t)c->line_block.len;
+      } else if (!added)
+        check__report(c, RULE_DUPLICATE_ELEMENT, !c->strict && k->entity != line_curve(c, *slot), k->entity, b, i, NONE, middle(m, v[0], v[1]),
                       "curve %d has a line between nodes %llu and %llu too", m->entity[line_curve(c, *slot)].tag, number_of(c, v[0]),
                       number_of(c, v[1]));
       vec_push(&c->line_block, b);
@@ -41,6 +65,7 @@ static void gather_lines(Check *c, uint8_t *on_line)
       on_line[v[0]] = on_line[v[1]] = 1;
     }
   }
+  free(listed);
 }
 
 // ---- half-edges ---------------------------------------------------------------------------------------------------------------

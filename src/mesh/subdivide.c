@@ -71,8 +71,9 @@ static void split_lines(Splitter *s, const MeshBlock *from)
     uint32_t a = from->node[2 * k], b = from->node[2 * k + 1];
     *to++ = s->e.node[a];
     if (halve) {
-      *to++ = middle(s, a, b);
-      *to++ = middle(s, a, b);
+      *to++ = enriched_on_line(&s->e, &s->table, 1, from->entity, a, b, 0);
+      to[0] = to[-1];
+      to++;
     }
     *to++ = s->e.node[b];
   }

@@ -322,7 +322,7 @@ static void extrude_face(Job *j, int tag, ShapeVec *out)
   merged__free(&g);
 }
 
-static bool sweep_is_good(const Sweep *s, SrcLoc loc, Diag *diag)
+static bool sweep_is_good(const Sweep *s, bool whole_turns, SrcLoc loc, Diag *diag)
 {
   if (!s->translate && !s->rotate && !s->layers.n) {
     diag_error(diag, loc, "Extrude without a vector (along the normals) needs Layers");
@@ -332,8 +332,9 @@ static bool sweep_is_good(const Sweep *s, SrcLoc loc, Diag *diag)
     diag_error(diag, loc, "the axis of this rotation has length 0");
     return false;
   }
-  if (s->rotate && !s->translate && !(fabs(s->angle) <= 3.14159265358979323846 * (1 + 1e-12))) {
-    diag_error(diag, loc, "cannot extrude by an angle of %g: an arc turns by pi at most; extrude in two steps", s->angle);
+  if (s->rotate && !s->translate && !(fabs(s->angle) <= (whole_turns ? 2 : 1) * 3.14159265358979323846 * (1 + 1e-12))) {
+    diag_error(diag, loc, "cannot extrude by an angle of %g: an arc turns by %s at most; extrude in two steps", s->angle,
+               whole_turns ? "2 pi" : "pi");
     return false;
   }
   for (int i = 0; i < s->layers.n; i++) {
@@ -361,10 +362,27 @@ static Layers keep_layers(Model *m, const Layers *l, double unit)
   return k;
 }
 
+// Those of the shapes that there are. False (reported) if there is a volume among them.
+static bool known_shapes(const Model *m, const Shape *shape, size_t n, ShapeVec *known, SrcLoc loc, Diag *diag)
+{
+  for (size_t i = 0; i < n; i++) {
+    Kind k = dim__kind(shape[i].dim);
+    if (shape[i].dim == 3) {
+      diag_error(diag, loc, "cannot extrude a volume");
+      return false;
+    }
+    if (model_has(m, shape[i].dim, shape[i].tag))
+      vec_push(known, shape[i]);
+    else if (!model__refused(m, k, shape[i].tag))
+      diag_warning(diag, loc, "Extrude: there is no %s %d", kind__name(k), tag__abs(shape[i].tag));
+  }
+  return true;
+}
+
 bool model_extrude(Model *m, const Shape *shape, size_t n, const Sweep *sweep, ShapeVec *out, SrcLoc loc, Diag *diag)
 {
   model__unprepare(m);
-  if (!sweep_is_good(sweep, loc, diag)) return false;
+  if (!sweep_is_good(sweep, m->set.opencascade, loc, diag)) return false;
   bool vector = sweep->translate || sweep->rotate;
   Job j = {.m = m, .sweep = sweep, .loc = loc, .full = part_of(sweep, 1)};
   if (!vector) j.thickness = sweep->layers.height[sweep->layers.n - 1];
@@ -380,22 +398,17 @@ bool model_extrude(Model *m, const Shape *shape, size_t n, const Sweep *sweep, S
       return false;
     }
   j.tol = m->point.live ? m->set.tolerance * vec3_distance(m->extent.lo, m->extent.hi) : 0;
-  bool good = true;
-  for (size_t i = 0; i < n; i++) {
-    Kind k = dim__kind(shape[i].dim);
-    if (shape[i].dim == 3) {
-      diag_error(diag, loc, "cannot extrude a volume");
-      good = false;
-      break;
+  ShapeVec known = {0};
+  bool good = known_shapes(m, shape, n, &known, loc, diag);
+  if (good && m->set.opencascade && vector && !(sweep->rotate && sweep->translate))
+    extrude__opencascade(m, known.data, known.len, sweep, &j.full, &j.layers, out, loc, diag);
+  else
+    for (size_t i = 0; good && i < known.len; i++) {
+      if (known.data[i].dim == 0) extrude_point(&j, tag__abs(known.data[i].tag), out);
+      if (known.data[i].dim == 1) extrude_curve(&j, known.data[i].tag, out);
+      if (known.data[i].dim == 2) extrude_face(&j, tag__abs(known.data[i].tag), out);
     }
-    if (!model_has(m, shape[i].dim, shape[i].tag)) {
-      if (!model__refused(m, k, shape[i].tag)) diag_warning(diag, loc, "Extrude: there is no %s %d", kind__name(k), tag__abs(shape[i].tag));
-      continue;
-    }
-    if (shape[i].dim == 0) extrude_point(&j, tag__abs(shape[i].tag), out);
-    if (shape[i].dim == 1) extrude_curve(&j, shape[i].tag, out);
-    if (shape[i].dim == 2) extrude_face(&j, tag__abs(shape[i].tag), out);
-  }
+  vec_free(&known);
   map_free(&j.normal_at);
   vec_free(&j.normal);
   return good;

@@ -165,6 +165,10 @@ void model__forget_curve(Model *m, Curve *c);
 void model__forget_face(Model *m, Face *f);
 void model__index_free(Model *m);
 
+// extrude_occ.c: model_extrude for OpenCASCADE, of shapes that there are, by a translation or a rotation.
+void extrude__opencascade(Model *m, const Shape *shape, size_t n, const Sweep *sweep, const Affine *full, const Layers *layers,
+                          ShapeVec *out, SrcLoc loc, Diag *diag);
+
 // split.c
 // Put `part` (head to tail, signed) in the place of curve `tag` in loops, groups and lists of embedded curves.
 void model__replace_curve(Model *m, int tag, const IntVec *part);

@@ -130,3 +130,14 @@ Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1}; Curve Lo
 Line(5) = {1, 3}; Transfinite Curve{5} = 2;
 G
 exits 0 "a free line between nodes of a face" "$MESHGEN" -2 free.geo -o free.msh
+printf 'Point(5) = {.1, .9, 0, h}; Circle(6) = {1, 2, 3}; Transfinite Curve{6} = 2; Mesh.ElementOrder = 2;' >>free.geo
+exits 0 "and two, of order 2" "$MESHGEN" -2 free.geo -format msh2 -o free.msh
+check "which bend no edge of the face" "$MESHGEN" check free.msh
+sed -i 's/Mesh.ElementOrder = 2/Mesh.SubdivisionAlgorithm = 1/' free.geo
+exits 0 "and halved" "$MESHGEN" -2 free.geo -format msh2 -o free.msh
+cat >doubled.geo <<'G'
+Point(1) = {0, 0, 0, 2}; Point(2) = {1, 0, 0, 2}; Point(3) = {1, 1, 0, 2}; Point(4) = {0, 1, 0, 2};
+Line(5) = {1, 2}; Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1}; Line(6) = {1, 2};
+Curve Loop(1) = {5, 2, 3, 4}; Plane Surface(1) = {1};
+G
+exits 0 "a side defined three times, of one edge each" "$MESHGEN" -2 doubled.geo -o doubled.msh

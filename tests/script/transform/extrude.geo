@@ -14,3 +14,26 @@ Extrude {0, 1, 0} { Line{1}; Layers{-1}; }       // expect error: -1 layers are 
 Extrude {{0, 0, 1}, {0, 0, 0}} { Line{1}; }      // expect error: Extrude by rotation needs an axis, a point and an angle
 Extrude Line {1};                                // expect error: Extrude needs a translation
 Extrude { Surface{5}; } Using Wire {1}           // expect error: Wire (extrusion along a curve) needs OpenCASCADE
+// OpenCASCADE takes the numbers of sides before those of copies, and shares what shapes of one statement share
+Delete All;                                      // expect: [delete 0]
+SetFactory("OpenCASCADE");
+Point(1) = {0,0,0}; Point(2) = {1,0,0}; Point(3) = {2,.5,0}; Line(1) = {1,2}; Line(2) = {2,3};
+e[] = Extrude {0,1,0} { Curve{1,2}; Layers{3}; }; Printf("e", e[]); // expect: e [0]5 [1]1 [2]3 [3]4 [4]7 [5]2 [6]4 [7]6
+e[] = Extrude {0,0,1} { Point{1}; }; Printf("e", e[]); // expect: e [0]7 [1]8
+e[] = Extrude {{0,1,0}, {-1,0,0}, Pi/2} { Curve{1}; }; Printf("e", e[]); // expect: e [0]11 [1]3 [2]9 [3]10
+e[] = Extrude {0,0,1} { Point{1}; Curve{1}; Point{2}; }; Printf("%g", #e[]); // expect: 8
+Delete All;                                      // expect: [delete 0]
+Rectangle(1) = {0,0,0, 1,2};
+e[] = Extrude {0,0,1} { Surface{1}; }; Printf("e", e[]); // expect: e [0]6 [1]1 [2]2 [3]3 [4]4 [5]5
+Delete All;                                      // expect: [delete 0]
+Circle(1) = {0,0,0, 1};
+e[] = Extrude {0,0,1} { Curve{1}; }; Printf("e", e[]); // expect: e [0]3 [1]1 [2]2 [3]2
+Point(10) = {3,0,0}; Point(11) = {4,0,0}; Line(20) = {10,11};
+e[] = Extrude {{0,0,1}, {0,0,0}, Pi/3} { Curve{20}; }; Printf("e", e[]); // expect: e [0]23 [1]2 [2]21 [3]22
+e[] = Extrude {{0,0,1}, {0,0,0}, 2*Pi} { Point{10}; }; Printf("e", e[]); // expect: e [0]10 [1]24
+e[] = Extrude {{0,0,1}, {0,0,0}, 2*Pi} { Curve{20}; }; Printf("e", e[]); // expect: e [0]20 [1]3 [2]25 [3]26
+p[] = Point{12}; Printf("%.3f %.3f", p(0), p(1)); // expect: 1.500 2.598
+Extrude {{0,0,1}, {0,0,0}, 7} { Curve{20}; }     // expect error: an arc turns by 2 pi at most
+Point(16) = {3.5,.3,5}; Point(14) = {3,0,5}; Point(15) = {4,0,5}; Spline(30) = {14,16,15};
+e[] = Extrude {0,2,0} { Curve{30}; }; Printf("%g %g", #e[], newp); // expect: 4 19
+b() = BoundingBox Curve{e(0)}; Printf("%.2f %.2f %.2f", b(1), b(4), b(5)); // expect: 2.00 2.30 5.00
