@@ -68,7 +68,7 @@ static void subdivide(Job *j, Subdivision how)
 {
   make_curves_ready(j);
   stage_begin(&j->stats, "subdivide");
-  replace_mesh(j, mesh_subdivide(j->mesh, how, j->options.Mesh_SecondOrderLinear ? NULL : j->model));
+  replace_mesh(j, mesh_subdivide(j->mesh, how, j->options.Mesh_SecondOrderLinear ? NULL : j->model, j->diag));
   stage_end(&j->stats);
 }
 

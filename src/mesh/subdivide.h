@@ -4,6 +4,7 @@
 #define MESH_SUBDIVIDE_H
 
 #include "base/base.h"
+#include "base/diag.h"
 #include "mesh/mesh.h"
 #include "model/model.h"
 
@@ -14,8 +15,8 @@ typedef enum {
 } Subdivision;
 
 // A new mesh; m (of first order) is left as it is. New nodes on curves lie on the curve at the middle parameter, if `model`
-// is not NULL; all others in the middle of edges and centres of corners. Orientation, groups and periodic pairs
-// are carried over. O(n) expected.
-Mesh *mesh_subdivide(const Mesh *m, Subdivision how, const Model *model);
+// is not NULL; all others in the middle of edges and centres of corners. Where parts of elements would turn over, as thin ones at
+// curves do, nodes stay nearer to the chords, with a warning. Orientation, groups and periodic pairs are carried over. O(n) expected.
+Mesh *mesh_subdivide(const Mesh *m, Subdivision how, const Model *model, Diag *diag);
 
 #endif

@@ -297,6 +297,10 @@ SCRIPTS = [
      "Point(21)={.5,-2,0,h}; Point(22)={.5,3,0,h}; Line(21)={21,22};", ["-heal", "-v", "4"]),
     (0, "surfaces bounded anew", SQUARE + "Point(11)={.5,0.5,0,h}; Point(12)={1.5,.5,0,h}; Point(13)={1.5,1.5,0,h}; Point(14)={.5,1.5,0,h};"
      "Line(11)={11,12}; Line(12)={12,13}; Line(13)={13,14}; Line(14)={14,11}; Curve Loop(2)={11:14}; Plane Surface(2)={2};", ["-heal", "-v", "4"]),
+    (0, "had to be halved nearer to straight lines than their curves", "Point(1)={0,0,0,1}; Point(2)={1,0,0,1}; Point(3)={0,1,0,1}; Point(4)={-1,0,0,1};"
+     "Point(5)={0,-1,0,1}; Circle(1)={2,1,3}; Circle(2)={3,1,4}; Circle(3)={4,1,5}; Circle(4)={5,1,2}; Point(11)={-3,-3,0,1}; Point(12)={3,-3,0,1};"
+     "Point(13)={0,4,0,1}; Line(11)={11,12}; Line(12)={12,13}; Line(13)={13,11}; Curve Loop(1)={1:4}; Curve Loop(2)={11:13}; Plane Surface(1)={2,1};"
+     "Field[1]=BoundaryLayer; Field[1].CurvesList={1:4}; Field[1].Size=.01; Field[1].Thickness=.03; BoundaryLayer Field=1; Mesh 2; RefineMesh;", []),
     (0, "had to be drawn nearer to straight lines than their curves", "Point(1)={0,0,0,9}; Point(2)={1,0,0,9}; Point(3)={0,1,0,9}; Point(4)={-1,0,0,9};"
      "Point(5)={0,-1,0,9}; Circle(1)={2,1,3}; Circle(2)={3,1,4}; Circle(3)={4,1,5}; Circle(4)={5,1,2}; Curve Loop(1)={1:4};"
      "Point(11)={-2,-2,0,9}; Point(12)={2,-2,0,9}; Point(13)={2,2,0,9}; Point(14)={-2,2,0,9}; Line(11)={11,12}; Line(12)={12,13}; Line(13)={13,14};"

@@ -79,6 +79,19 @@ prints "  2
 " "nothing is lost of the face"
 check "has layers all round" "$MESHGEN" check a.msh
 
+# ---- halved, where thin cells stand on a bent curve ----
+around='Point(11)={-3,-3,0,1};Point(12)={3,-3,0,1};Point(13)={3,3,0,1};Point(14)={-3,3,0,1};Line(11)={11,12};Line(12)={12,13};Line(13)={13,14};
+Line(14)={14,11};Curve Loop(2)={11:14};Plane Surface(2)={2,1};Physical Surface(1)={1,2};'
+name="layers thinner than the bulge of an edge"
+mesh "$disc""$around"'Field[1]=BoundaryLayer;Field[1].CurvesList={1:4};Field[1].Size=.002;Field[1].Ratio=1.3;Field[1].Thickness=.02;
+Field[1].Quads=1;BoundaryLayer Field=1;Mesh.SubdivisionAlgorithm=1;'
+says "edges had to be halved nearer to straight lines than their curves" "stay nearer to the chords"
+check "no part turns over" "$MESHGEN" check a.msh
+name="and refined"
+mesh "$disc""$around"'Field[1]=BoundaryLayer;Field[1].CurvesList={1:4};Field[1].Size=.002;Field[1].Ratio=1.3;Field[1].Thickness=.02;
+BoundaryLayer Field=1;Mesh 2;RefineMesh;'
+check "no triangle does" "$MESHGEN" check a.msh
+
 # ---- faces that copy faces ----
 name="a box of layers"
 mesh 'Point(1)={2,0,0};l[]=Extrude{1,0,0}{Point{1};Layers{4};};s[]=Extrude{0,1,0}{Curve{l[1]};Layers{4};Recombine;};

@@ -110,7 +110,7 @@ static void halving_keeps_to_the_curves(void **state)
   Mesh *m = disc_mesh(model, 0);
   double last = area_of(m);
   for (int level = 1; level <= 4; level++) {
-    Mesh *fine = mesh_subdivide(m, SUBDIVIDE_HALVE, model);
+    Mesh *fine = mesh_subdivide(m, SUBDIVIDE_HALVE, model, NULL);
     mesh_free(m);
     m = fine;
     size_t n = (size_t)1 << level;
@@ -135,16 +135,16 @@ static void subdivisions_have_the_counts_they_should(void **state)
   Model *model = disc_model(diag);
   Mesh *m = disc_mesh(model, 2); // 12 triangles, 13 nodes, 24 edges
   double area = area_of(m);
-  Mesh *quads = mesh_subdivide(m, SUBDIVIDE_QUADS, NULL);
+  Mesh *quads = mesh_subdivide(m, SUBDIVIDE_QUADS, NULL, NULL);
   assert_int_equal(mesh_count_type(quads, ELEM_QUAD4), 36);
   assert_int_equal(mesh_count_type(quads, ELEM_TRI3), 0);
   assert_int_equal(quads->nnode, 13 + 24 + 12);
   assert_int_equal(mesh_count(quads, 1), 24);
   assert_true(fabs(area_of(quads) - area) < 1e-14);
-  Mesh *again = mesh_subdivide(quads, SUBDIVIDE_HALVE, NULL);
+  Mesh *again = mesh_subdivide(quads, SUBDIVIDE_HALVE, NULL, NULL);
   assert_int_equal(mesh_count_type(again, ELEM_QUAD4), 144);
   assert_true(fabs(area_of(again) - area) < 1e-13);
-  Mesh *bary = mesh_subdivide(m, SUBDIVIDE_BARYCENTRIC, model);
+  Mesh *bary = mesh_subdivide(m, SUBDIVIDE_BARYCENTRIC, model, NULL);
   assert_int_equal(mesh_count_type(bary, ELEM_TRI3), 36);
   assert_int_equal(mesh_count(bary, 1), 12);
   assert_int_equal(bary->nnode, 25);
@@ -169,7 +169,7 @@ static void every_order_curves_and_unfolds(void **state)
       for (int quads = 0; quads <= 1; quads++) {
         Mesh *m = disc_mesh(model, 1);
         if (quads) {
-          Mesh *q = mesh_subdivide(m, SUBDIVIDE_QUADS, model);
+          Mesh *q = mesh_subdivide(m, SUBDIVIDE_QUADS, model, NULL);
           mesh_free(m);
           m = q;
         }
@@ -253,7 +253,7 @@ static void periodic_pairs_survive(void **state)
   Mesh *m = disc_mesh(model, 3);
   periodic_add(m, model, diag);
   assert_int_equal(m->nperiodic, 3); // two points and the curve
-  Mesh *fine = mesh_subdivide(m, SUBDIVIDE_HALVE, model);
+  Mesh *fine = mesh_subdivide(m, SUBDIVIDE_HALVE, model, NULL);
   HighOrder how = {.order = 3};
   HighOrderReport r;
   Mesh *high = mesh_set_order(fine, &how, model, &r, diag);
