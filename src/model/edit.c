@@ -298,6 +298,8 @@ int model_add_curve(Model *m, CurveType type, int tag, const int *point, size_t 
     point = ellipse;
     npoint = 4;
   }
+  if (m->set.opencascade && (type == CURVE_SPLINE || type == CURVE_BSPLINE || type == CURVE_BEZIER))
+    return spline__add(m, type, tag, point, npoint, loc, diag) ? tag : refuse(m, KIND_CURVE, tag);
   if (type == CURVE_LINE && npoint > 2) type = CURVE_POLYLINE;
   if (type == CURVE_LINE && m->sphere && sphere__of_points(m, point, 2)) type = CURVE_BSPLINE; // straight in the plane, not in space
   Curve *c = curve__make(m, tag, type, point, (int)npoint, point[0], point[npoint - 1], loc);

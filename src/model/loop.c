@@ -225,7 +225,7 @@ LoopState loop__sort(Model *m, Loop *l, bool quiet, Diag *diag)
     ends_build(&e, m, l->curve, l->ncurve);
     if (chain(&e, true, &out, &flipped) == 0) {
       reverse_if_fewer(l, &out, &flipped);
-      report_flips(l, &flipped, diag);
+      if (!m->set.opencascade) report_flips(l, &flipped, diag); // whose loops have no signs
       adopt(m, l, &out);
       state = LOOP_OK;
     } else if (!quiet && !l->reported) {

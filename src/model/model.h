@@ -55,6 +55,7 @@ typedef struct {
 // A spline by its Bezier pieces, which cover [0, 1] between the knots; control holds npiece * (degree + 1) points.
 typedef struct {
   int degree, npiece;
+  bool smooth;  // degree 3, and twice differentiable where pieces meet; or one piece
   double *knot; // npiece + 1
   Vec3 *control;
 } Pieces;
@@ -79,7 +80,7 @@ typedef struct {
   Vec3 plane;
   const PolarSphere *sphere; // drawn in its plane, as all its points are (never circles, ellipses); else NULL
   Arc *arc;               // CURVE_CIRCLE, CURVE_ELLIPSE given by numbers: then point is {start, end}; else NULL
-  Pieces *pieces;         // part of a spline that was split (model_split_curve_at): then point is {start, end}; else NULL
+  Pieces *pieces;         // part of a spline that was split (model_split_curve_at), or OpenCASCADE's spline: then point is {start, end}
   SrcLoc loc;
 
   // how to mesh it

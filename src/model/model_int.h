@@ -174,6 +174,10 @@ void extrude__opencascade(Model *m, const Shape *shape, size_t n, const Sweep *s
 void model__replace_curve(Model *m, int tag, const IntVec *part);
 Pieces *pieces__copy(Model *m, const Pieces *p, bool back);
 
+// spline.c: OpenCASCADE's Spline, BSpline or Bezier of a claimed tag, through or by points that exist. A closed BSpline begins at a new
+// point. False after an error.
+bool spline__add(Model *m, CurveType type, int tag, const int *point, size_t npoint, SrcLoc loc, Diag *diag);
+
 // transform.c
 void model__transform_shape(Model *m, int dim, int tag, const Affine *a);
 int model__copy_point(Model *m, int tag, SrcLoc loc);

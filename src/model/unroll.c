@@ -227,6 +227,70 @@ static bool needs_plane(const Model *m, const Curve *c)
   return vec3_length(vec3_cross(a, b)) <= 1e-9 * vec3_length(a) * vec3_length(b);
 }
 
+// ---- splines by pieces --------------------------------------------------------------------------------------------------
+
+// The blossom of a cubic Bezier piece over [a, b].
+static Vec3 cubic_blossom(const Vec3 *control, double a, double b, const double u[3])
+{
+  Vec3 d[4];
+  memcpy(d, control, sizeof d);
+  for (int r = 0; r < 3; r++) {
+    double f = (u[r] - a) / (b - a);
+    for (int i = 0; i < 3 - r; i++) d[i] = vec3_add(vec3_scale(1 - f, d[i]), vec3_scale(f, d[i + 1]));
+  }
+  return d[0];
+}
+
+// Inner control points and knots of the B-spline that a smooth spline is: single knots.
+static void smooth_controls(const Pieces *p, Vec3 *inner, DoubleVec *knot)
+{
+  int n = p->npiece;
+  for (int i = -3; i <= n + 3; i++) vec_push(knot, p->knot[MIN(MAX(i, 0), n)]);
+  for (int j = 1; j < n + 2; j++) {
+    int k = MIN(j - 1, n - 1);
+    inner[j - 1] = cubic_blossom(p->control + 4 * (size_t)k, p->knot[k], p->knot[k + 1], knot->data + j + 1);
+  }
+}
+
+// Of any pieces: every joint as many times as the degree.
+static void all_controls(const Pieces *p, Vec3 *inner, DoubleVec *knot)
+{
+  int d = p->degree, n = 0;
+  vec_push(knot, 0);
+  for (int k = 0; k <= p->npiece; k++)
+    for (int i = 0; i < d; i++) vec_push(knot, p->knot[k]);
+  vec_push(knot, 1);
+  for (int k = 0; k < p->npiece; k++)
+    for (int i = k ? 0 : 1; i < d; i++) inner[n++] = p->control[k * (d + 1) + i];
+}
+
+// A Nurbs, or a Bezier, with points of its own between the ends.
+static void put_spline(Unroll *r, const Curve *c)
+{
+  const Pieces *p = c->pieces;
+  bool smooth = p->smooth && p->degree == 3 && p->npiece > 1;
+  int n = smooth ? p->npiece + 1 : p->npiece * p->degree - 1;
+  Vec3 *inner = mem_alloc(((size_t)n + 1) * sizeof *inner);
+  DoubleVec knot = {0};
+  IntVec point = {0};
+  if (smooth) smooth_controls(p, inner, &knot);
+  else all_controls(p, inner, &knot);
+  vec_push(&point, c->begin);
+  for (int i = 0; i < n; i++) vec_push(&point, fresh_point(r, inner[i]));
+  vec_push(&point, c->end);
+  put_head(r->w, p->npiece > 1 ? "Nurbs" : "Bezier", c->tag);
+  unroll__ints(r->w, point.data, point.len);
+  if (p->npiece > 1) {
+    writer_str(r->w, " Knots ");
+    unroll__doubles(r->w, knot.data, knot.len);
+    writer_printf(r->w, " Order %d", p->degree);
+  }
+  writer_str(r->w, ";\n");
+  free(inner);
+  vec_free(&knot);
+  vec_free(&point);
+}
+
 static void put_curves(Unroll *r)
 {
   Writer *w = r->w;
@@ -236,6 +300,10 @@ static void put_curves(Unroll *r)
     const Curve *c = model_curve_at(m, i);
     if (c->arc) {
       put_arc(r, c);
+      continue;
+    }
+    if (c->pieces) {
+      put_spline(r, c);
       continue;
     }
     put_head(w, word[c->type], c->tag);

@@ -38,7 +38,7 @@ Node *parse__definition(Parser *p, Token kind, uint32_t word, int op)
 
 // kind -> entity | "Circle" | "Ellipse" | "Spline" | "BSpline" | "Bezier" | "Nurbs" | ("Curve" | "Line"
 //        | "Surface") "Loop" | "Plane" "Surface" | "Ruled" "Surface" | "Compound" ("Spline" | "BSpline")
-//        | "Rectangle" | "Disk" | "PolarSphere"
+//        | "Rectangle" | "Disk" | "PolarSphere" | "Wire"
 // embed -> entity list "In" ("Surface" | "Volume") "{" number... "}" ";"
 Node *parse__entity(Parser *p)
 {

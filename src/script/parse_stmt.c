@@ -253,6 +253,7 @@ static Node *parse_keyword(Parser *p)
       return parse__unsupported(
           p, t, "ThruSections needs the OpenCASCADE kernel, which this program does not have");
     return parse__surface_of_kind(p, t);
+  case KW_Wire: parse__advance(p); return parse__definition(p, t, t.word, 1);
   case KW_Rectangle:
   case KW_Disk: parse__advance(p); return parse__definition(p, t, t.word, 2);
   case KW_Parametric:
@@ -268,7 +269,6 @@ static Node *parse_keyword(Parser *p)
   case KW_Cone:
   case KW_Torus:
   case KW_Wedge:
-  case KW_Wire:
   case KW_ThickSolid:
     parse__advance(p);
     return parse__unsupported(p, t, "needs the OpenCASCADE kernel, which this program does not have");

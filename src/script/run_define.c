@@ -110,6 +110,7 @@ static void define_surface(Script *s, const Node *n, int tag)
   eval_ints(s, n->kid[1], -1, &tags);
   Diag *diag = sink(s, faults, &quiet);
   switch (n->word) {
+  case KW_Wire:
   case KW_Loop:
     if (n->op == 1)
       model_add_loop(s->model, tag, tags.data, tags.len, n->loc, diag);
@@ -164,12 +165,16 @@ static void define_disk(Script *s, const Node *n, int tag, const DoubleVec *v)
                  n->loc, s->diag);
 }
 
+static bool needs_opencascade(Script *s, const Node *n)
+{
+  if (model_settings(s->model)->opencascade) return true;
+  script__error(s, n->loc, "%s needs SetFactory(\"OpenCASCADE\"); first", words_text(&s->words, n->word));
+  return false;
+}
+
 static void define_flat(Script *s, const Node *n, int tag)
 {
-  if (!model_settings(s->model)->opencascade) {
-    script__error(s, n->loc, "%s needs SetFactory(\"OpenCASCADE\"); first", words_text(&s->words, n->word));
-    return;
-  }
+  if (!needs_opencascade(s, n)) return;
   int faults = s->faults;
   DoubleVec *v = script__take(s);
   eval_list(s, n->kid[1], v);
@@ -238,6 +243,9 @@ void run_define(Script *s, const Node *n)
   case KW_Rectangle:
   case KW_Disk: define_flat(s, n, tag); return;
   case KW_PolarSphere: define_polar_sphere(s, n, tag); return;
+  case KW_Wire:
+    if (needs_opencascade(s, n)) define_surface(s, n, tag);
+    return;
   default: define_surface(s, n, tag);
   }
 }

@@ -118,6 +118,35 @@ mesh "$polar Field[1]=Distance; Field[1].PointsList={2}; Field[2]=Threshold; Fie
 Field[2].SizeMin=.05; Field[2].SizeMax=.3; Background Field=2; Mesh.MeshSizeFromPoints=0; Mesh.MeshSizeExtendFromBoundary=0;"
 triangles 150 500
 
+# ---- OpenCASCADE's curves: nodes at equal distances, as Gmsh has them ----
+occ='SetFactory("OpenCASCADE");' zigzag='Point(1)={0,0,0};Point(2)={1,1,0};Point(3)={2,-1,0};Point(4)={4,0,0};Point(5)={5,2,0};'
+curve() { # DEFINITION "X Y"...: nodes of curve 1 in eight equal parts
+  printf '%s\n' "$occ $zigzag $1 Transfinite Curve{1}=9; Mesh.SaveAll=1;" >a.geo
+  check "$1" "$MESHGEN" -1 a.geo -format msh2 -o a.msh
+  check "$1, unrolled" "$MESHGEN" -0 a.geo -o b.geo
+  check "$1, read back" "$MESHGEN" -1 b.geo -format msh2 -o b.msh
+  local file place
+  shift
+  for file in a.msh b.msh; do
+    for place in "$@"; do
+      check "$place is a node of $file" awk -v at="$place" 'BEGIN { split(at, p, " ") } /^\$Nodes/ { on = 1 } /^\$EndNodes/ { on = 0 }
+        on && ($2 - p[1]) ^ 2 + ($3 - p[2]) ^ 2 < 1e-10 { found = 1 } END { exit !found }' $file
+    done
+  done
+}
+curve "Spline(1)={1:3};" "0.26668 0.40101" "1.91702 -0.52549"
+curve "Spline(1)={1:5};" "0.56353 0.89781" "3.34689 -0.61106" "4.73741 0.98442"
+curve "Spline(1)={1:5,1};" "1.23773 0.63598" "4.96166 1.45202" "0.51421 -0.94246"
+curve "BSpline(1)={1:5};" "0.66941 0.41828" "4.61373 1.29959"
+curve "BSpline(1)={1:5,1};" "0.5 0.5" "1.45497 0.21152" "1.40631 0.57094"
+printf '%s\n' "$zigzag Spline(1)={1:5}; Split Curve{1} Point{3}; MeshSize{:}=.05;" >a.geo
+"$MESHGEN" -0 a.geo -o b.geo
+for file in a b; do "$MESHGEN" -1 $file.geo -o $file.msh | sed -n '1s/.*: //p' | sed 's/[0-9]* nodes, //' >$file.txt; done
+same "the parts of a spline are unrolled as such" a.txt b.txt
+name="loops of OpenCASCADE have no signs, and a wire is one"
+mesh "$occ $points Line(1)={1,2};Line(2)={3,2};Line(3)={3,4};Line(4)={4,1}; Wire(1)={1:4};Plane Surface(1)={1};"
+check "$name: nothing is said" [ -z "$err" ]
+
 # ---- Boolean operations on plane faces ----
 occ='SetFactory("OpenCASCADE");'
 name="a plate with holes, one across its edge"

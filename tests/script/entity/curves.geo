@@ -29,7 +29,7 @@ Point(1000) = {0, 0, 0};
 Printf("%g %g", newl, newc);                     // expect: 100 100
 Curve(newc) = {1, 4};
 Printf("%g", newl);                              // expect: 101
-Wire(1) = {1, 2};                                // expect error: Wire needs the OpenCASCADE kernel
+Wire(1) = {1, 2};                                // expect error: Wire needs SetFactory("OpenCASCADE"); first
 // An arc that is none is told where it is written, also when it is deleted later.
 Point(901) = {0,0,0}; Point(902) = {1,0,0}; Point(903) = {0,2,0};
 Circle(901) = {902, 901, 903};                   // expect error: the ends of circle arc 901 are not on one circle
