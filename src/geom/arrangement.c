@@ -28,15 +28,15 @@ static Leaving leaving(const ArrBuilder *b, uint32_t half)
   } else if (c->kind == ARR_LINE) {
     d = back ? vec2_sub(c->p, c->q) : vec2_sub(c->q, c->p);
   } else {
-    size_t n = c->npoint;
-    Vec2 p = c->point[back ? n - 1 : 0], q = c->point[back ? n - 2 : 1];
-    d = vec2_sub(q, p);
-    if (n > 2) {
-      Vec2 e2 = vec2_sub(c->point[back ? n - 3 : 2], q);
-      double s = vec2_length(d) + vec2_length(e2);
-      l.bend = 2 * vec2_cross(d, e2) / (vec2_length(d) * vec2_length(e2) * s);
-      d = vec2_sub(vec2_scale(2, d), vec2_scale(0.5, vec2_sub(c->point[back ? n - 3 : 2], p))); // the tangent of the parabola
+    Vec2 dd, ignored, p = arr__spline_at(c, back ? e->u1 : e->u0, &d, &dd);
+    double speed = vec2_length(d);
+    if (back) d = vec2_scale(-1, d);
+    if (!(speed > 0)) { // control points that coincide
+      double w = (e->u1 - e->u0) / 64;
+      d = vec2_sub(arr__spline_at(c, back ? e->u1 - w : e->u0 + w, &ignored, &dd), p);
+      speed = INFINITY;
     }
+    l.bend = vec2_cross(d, dd) / (speed * speed * speed);
   }
   l.angle = atan2(d.y, d.x);
   return l;
@@ -102,7 +102,7 @@ enum { CHORDS = 512 }; // of a full turn, where curves are followed by chords
 static size_t steps_of(const ArrCurve *c, const ArrEdge *e)
 {
   if (c->kind == ARR_LINE) return 1;
-  if (c->kind == ARR_CHAIN) return c->npoint - 1;
+  if (c->kind == ARR_SPLINE) return 1 + (size_t)((double)(c->npoint - 1) * (e->u1 - e->u0));
   return 4 + (size_t)(CHORDS * fabs(c->t1 - c->t0) * (e->u1 - e->u0) / (2 * PI));
 }
 
@@ -112,9 +112,7 @@ static double edge_area(const ArrCurve *c, const ArrEdge *e)
   if (c->kind == ARR_LINE) return vec2_cross(p, q) / 2;
   if (c->kind == ARR_ARC)
     return (vec2_cross(c->c, vec2_sub(q, p)) + vec2_cross(c->a, c->b) * (c->t1 - c->t0) * (e->u1 - e->u0)) / 2;
-  double sum = 0;
-  for (size_t i = 0; i + 1 < c->npoint; i++) sum += vec2_cross(c->point[i], c->point[i + 1]) / 2;
-  return sum;
+  return arr__spline_area(c, e->u0, e->u1) / 2;
 }
 
 static void trace_cycles(ArrBuilder *b)
@@ -213,23 +211,20 @@ static void nest(ArrBuilder *b)
   free(parent);
 }
 
-ArrOutcome arrangement_build(Arrangement *a, const ArrCurve *curve, size_t n, double tol)
+void arrangement_build(Arrangement *a, const ArrCurve *curve, size_t n, double tol)
 {
   ArrBuilder b = {a, curve, n, tol, mem_zalloc((n + 1) * sizeof *b.cut)};
   for (size_t i = 0; i < n; i++) {
     arr__node(&b, curve[i].p);
     arr__node(&b, curve[i].q);
   }
-  bool good = arr__intersect(&b);
-  if (good) {
-    arr__make_edges(&b);
-    link_cycles(&b);
-    trace_cycles(&b);
-    nest(&b);
-  }
+  arr__intersect(&b);
+  arr__make_edges(&b);
+  link_cycles(&b);
+  trace_cycles(&b);
+  nest(&b);
   for (size_t i = 0; i < n; i++) vec_free(&b.cut[i]);
   free(b.cut);
-  return good ? ARR_GOOD : ARR_CUTS_CHAIN;
 }
 
 void arrangement_free(Arrangement *a)

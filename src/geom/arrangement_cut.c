@@ -15,9 +15,21 @@ Vec2 arr_curve_at(const ArrCurve *c, double u)
     double t = c->t0 + u * (c->t1 - c->t0);
     return vec2_add(c->c, vec2_add(vec2_scale(cos(t), c->a), vec2_scale(sin(t), c->b)));
   }
-  double s = u * (double)(c->npoint - 1);
-  size_t i = MIN((size_t)s, c->npoint - 2);
-  return vec2_add(c->point[i], vec2_scale(s - (double)i, vec2_sub(c->point[i + 1], c->point[i])));
+  Vec2 d1, d2;
+  return arr__spline_at(c, u, &d1, &d2);
+}
+
+void arr__slope(const ArrCurve *c, double u, Vec2 *d1)
+{
+  Vec2 d2;
+  if (c->kind == ARR_LINE)
+    *d1 = vec2_sub(c->q, c->p);
+  else if (c->kind == ARR_SPLINE)
+    (void)arr__spline_at(c, u, d1, &d2);
+  else {
+    double w = c->t1 - c->t0, t = c->t0 + u * w;
+    *d1 = vec2_scale(w, vec2_sub(vec2_scale(cos(t), c->b), vec2_scale(sin(t), c->a)));
+  }
 }
 
 // Coordinates of p in the axes of an arc; the arc's ellipse is x^2 + y^2 = 1.
@@ -43,17 +55,10 @@ static double nearest(const ArrCurve *c, Vec2 p)
     Vec2 x = in_axes(c, p);
     return fmax(0, fmin(1, of_angle(c, atan2(x.y, x.x))));
   }
-  double best = INFINITY, u = 0;
-  size_t n = c->kind == ARR_LINE ? 2 : c->npoint;
-  for (size_t i = 0; i + 1 < n; i++) {
-    Vec2 a = c->kind == ARR_LINE ? c->p : c->point[i], d = vec2_sub(c->kind == ARR_LINE ? c->q : c->point[i + 1], a);
-    double dd = vec2_dot(d, d), s = dd > 0 ? fmax(0, fmin(1, vec2_dot(vec2_sub(p, a), d) / dd)) : 0;
-    double dist = vec2_length(vec2_sub(vec2_add(a, vec2_scale(s, d)), p));
-    if (dist >= best) continue;
-    best = dist;
-    u = ((double)i + s) / (double)(n - 1);
-  }
-  return u;
+  if (c->kind == ARR_SPLINE) return arr__spline_nearest(c, p);
+  Vec2 d = vec2_sub(c->q, c->p);
+  double dd = vec2_dot(d, d);
+  return dd > 0 ? fmax(0, fmin(1, vec2_dot(vec2_sub(p, c->p), d) / dd)) : 0;
 }
 
 ArrBox arr__box(const ArrCurve *c, double tol)
@@ -63,9 +68,9 @@ ArrBox arr__box(const ArrCurve *c, double tol)
     double x = hypot(c->a.x, c->b.x), y = hypot(c->a.y, c->b.y);
     b = (ArrBox){{c->c.x - x, c->c.y - y}, {c->c.x + x, c->c.y + y}};
   }
-  for (size_t i = 0; c->kind == ARR_CHAIN && i < c->npoint; i++) {
-    b.lo[0] = fmin(b.lo[0], c->point[i].x), b.hi[0] = fmax(b.hi[0], c->point[i].x);
-    b.lo[1] = fmin(b.lo[1], c->point[i].y), b.hi[1] = fmax(b.hi[1], c->point[i].y);
+  for (int i = 0; c->kind == ARR_SPLINE && i < c->npiece * (c->degree + 1); i++) {
+    b.lo[0] = fmin(b.lo[0], c->control[i].x), b.hi[0] = fmax(b.hi[0], c->control[i].x);
+    b.lo[1] = fmin(b.lo[1], c->control[i].y), b.hi[1] = fmax(b.hi[1], c->control[i].y);
   }
   for (int k = 0; k < 2; k++) b.lo[k] -= tol, b.hi[k] += tol;
   return b;
@@ -94,7 +99,7 @@ static void cut_at(ArrBuilder *b, size_t i, uint32_t node)
   vec_push(c, ((ArrCut){nearest(&b->curve[i], b->a->node.data[node]), node}));
 }
 
-static void meet(ArrBuilder *b, size_t i, size_t j, Vec2 p)
+void arr__meet(ArrBuilder *b, size_t i, size_t j, Vec2 p)
 {
   uint32_t node = arr__node(b, p);
   cut_at(b, i, node);
@@ -110,7 +115,7 @@ static void line_line(ArrBuilder *b, size_t i, size_t j)
   double det = vec2_cross(d, e), ld = vec2_length(d), le = vec2_length(e);
   if (fabs(det) <= 1e-12 * ld * le) return; // parallel: where they overlap an end of one is on the other
   double u = vec2_cross(r, e) / det, v = vec2_cross(r, d) / det;
-  if (within(u, b->tol / ld) && within(v, b->tol / le)) meet(b, i, j, arr_curve_at(x, u));
+  if (within(u, b->tol / ld) && within(v, b->tol / le)) arr__meet(b, i, j, arr_curve_at(x, u));
 }
 
 static void line_arc(ArrBuilder *b, size_t i, size_t j) // i the line
@@ -128,7 +133,7 @@ static void line_arc(ArrBuilder *b, size_t i, size_t j) // i the line
     double u = of_angle(c, t);
     Vec2 p = vec2_add(c->c, vec2_add(vec2_scale(cos(t), c->a), vec2_scale(sin(t), c->b)));
     if (vec2_length(vec2_sub(arr_curve_at(c, u), p)) > b->tol) continue; // off the arc
-    if (within(vec2_dot(vec2_sub(p, l->p), d) / (ld * ld), b->tol / ld)) meet(b, i, j, p);
+    if (within(vec2_dot(vec2_sub(p, l->p), d) / (ld * ld), b->tol / ld)) arr__meet(b, i, j, p);
   }
 }
 
@@ -185,56 +190,22 @@ static void arc_arc(ArrBuilder *b, size_t i, size_t j)
     }
     if (isnan(u)) continue;
     Vec2 p = arr_curve_at(x, u);
-    if (vec2_length(vec2_sub(arr_curve_at(y, nearest(y, p)), p)) <= b->tol) meet(b, i, j, p);
+    if (vec2_length(vec2_sub(arr_curve_at(y, nearest(y, p)), p)) <= b->tol) arr__meet(b, i, j, p);
   }
 }
 
-// A chain must not be met but at its ends. Others are sampled.
-static bool chain_is_free(ArrBuilder *b, size_t i, size_t j)
-{
-  const ArrCurve *x = &b->curve[i], *y = &b->curve[j];
-  size_t n = y->kind == ARR_LINE ? 1 : y->kind == ARR_ARC ? 256 : y->npoint - 1;
-  for (size_t k = 0; k < n; k++) {
-    Vec2 p = arr_curve_at(y, (double)k / (double)n), q = arr_curve_at(y, (double)(k + 1) / (double)n), e = vec2_sub(q, p);
-    for (size_t l = 0; l + 1 < x->npoint; l++) {
-      Vec2 d = vec2_sub(x->point[l + 1], x->point[l]), r = vec2_sub(p, x->point[l]);
-      double det = vec2_cross(d, e);
-      if (det == 0) continue;
-      double u = vec2_cross(r, e) / det, v = vec2_cross(r, d) / det;
-      if (!(u >= 0 && u <= 1 && v >= 0 && v <= 1)) continue;
-      Vec2 at = vec2_add(p, vec2_scale(v, e));
-      double ends = fmin(vec2_length(vec2_sub(at, x->p)), vec2_length(vec2_sub(at, x->q)));
-      double others = fmin(vec2_length(vec2_sub(at, y->p)), vec2_length(vec2_sub(at, y->q)));
-      if (ends > b->tol || others > b->tol) return false;
-    }
-  }
-  return true;
-}
-
-static bool same_chain(const ArrBuilder *b, const ArrCurve *x, const ArrCurve *y)
-{
-  if (x->kind != ARR_CHAIN || y->kind != ARR_CHAIN || x->npoint != y->npoint) return false;
-  bool forward = vec2_length(vec2_sub(x->point[1], y->point[1])) <= b->tol;
-  for (size_t i = 0; i < x->npoint; i++)
-    if (vec2_length(vec2_sub(x->point[i], y->point[forward ? i : y->npoint - 1 - i])) > b->tol) return false;
-  return true;
-}
-
-bool arr__intersect(ArrBuilder *b)
+void arr__intersect(ArrBuilder *b)
 {
   ArrBox *box = mem_alloc((b->n + 1) * sizeof *box);
   for (size_t i = 0; i < b->n; i++) box[i] = arr__box(&b->curve[i], b->tol);
-  bool good = true;
-  for (size_t i = 0; i < b->n && good; i++)
-    for (size_t j = i + 1; j < b->n && good; j++) {
+  for (size_t i = 0; i < b->n; i++)
+    for (size_t j = i + 1; j < b->n; j++) {
       const ArrCurve *x = &b->curve[i], *y = &b->curve[j];
-      if (apart(&box[i], &box[j]) || same_chain(b, x, y)) continue;
-      bool chain = x->kind == ARR_CHAIN || y->kind == ARR_CHAIN;
-      if (chain) {
-        size_t c = x->kind == ARR_CHAIN ? i : j;
-        good = chain_is_free(b, c, i + j - c);
-        b->a->culprit[0] = (uint32_t)c;
-        b->a->culprit[1] = (uint32_t)(i + j - c);
+      if (apart(&box[i], &box[j]) || arr__same_spline(b, x, y)) continue;
+      if (x->kind == ARR_SPLINE) {
+        arr__spline_meets(b, i, j);
+      } else if (y->kind == ARR_SPLINE) {
+        arr__spline_meets(b, j, i);
       } else if (x->kind == ARR_LINE && y->kind == ARR_LINE) {
         line_line(b, i, j);
       } else if (x->kind == ARR_ARC && y->kind == ARR_ARC) {
@@ -244,15 +215,14 @@ bool arr__intersect(ArrBuilder *b)
       }
     }
   // nodes on curves: ends that touch, and overlaps
-  for (size_t i = 0; i < b->n && good; i++)
-    for (uint32_t v = 0; v < b->a->node.len && b->curve[i].kind != ARR_CHAIN; v++) {
+  for (size_t i = 0; i < b->n; i++)
+    for (uint32_t v = 0; v < b->a->node.len; v++) {
       Vec2 p = b->a->node.data[v];
       if (p.x < box[i].lo[0] || p.x > box[i].hi[0] || p.y < box[i].lo[1] || p.y > box[i].hi[1]) continue;
       double u = nearest(&b->curve[i], p);
       if (vec2_length(vec2_sub(arr_curve_at(&b->curve[i], u), p)) <= b->tol) cut_at(b, i, v);
     }
   free(box);
-  return good;
 }
 
 static int compare_cuts(const void *x, const void *y)

@@ -31,8 +31,17 @@ ArrBox arr__box(const ArrCurve *c, double tol);
 // The node at p: one within the tolerance, or a new one. O(nodes)
 uint32_t arr__node(ArrBuilder *b, Vec2 p);
 
-// Find all intersections: they become nodes, and cuts of their curves. False if a chain is cut (a->culprit). O(n^2)
-bool arr__intersect(ArrBuilder *b);
+// Find all intersections: they become nodes, and cuts of their curves. O(n^2)
+void arr__intersect(ArrBuilder *b);
+void arr__meet(ArrBuilder *b, size_t i, size_t j, Vec2 p); // curves i and j, at p
+void arr__slope(const ArrCurve *c, double u, Vec2 *d1);    // derivative by u
+
+// arrangement_spline.c
+Vec2 arr__spline_at(const ArrCurve *c, double u, Vec2 *d1, Vec2 *d2);
+double arr__spline_nearest(const ArrCurve *c, Vec2 p);
+double arr__spline_area(const ArrCurve *c, double u0, double u1); // twice the area to the origin
+void arr__spline_meets(ArrBuilder *b, size_t i, size_t j);        // i the spline
+bool arr__same_spline(const ArrBuilder *b, const ArrCurve *x, const ArrCurve *y);
 
 // Pieces of curves between their cuts; those that coincide become one edge.
 void arr__make_edges(ArrBuilder *b);

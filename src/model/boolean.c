@@ -93,6 +93,22 @@ static bool in_one_plane(const Boolean *b, const char *word)
 
 static Vec2 direction(const Face *f, Vec3 d) { return (Vec2){vec3_dot(d, f->axis_u), vec3_dot(d, f->axis_v)}; }
 
+static void take_spline(Boolean *b, const Curve *c, const CurveShape *h, ArrCurve *k)
+{
+  const Face *f = b->input.data[0].face;
+  bool chords = h->degree > ARR_MOST_DEGREE;
+  int per = chords ? 2 : h->degree + 1, n = h->degree == 1 && h->uniform ? h->npiece : MAX(64, 16 * h->npiece);
+  int npiece = chords ? n : h->npiece;
+  Vec2 *point = arena_alloc(&b->arena, ((size_t)n + 1) * sizeof *point);
+  Vec2 *control = arena_alloc(&b->arena, (size_t)(npiece * per) * sizeof *control);
+  double *knot = arena_alloc(&b->arena, ((size_t)npiece + 1) * sizeof *knot);
+  for (int i = 0; i <= n; i++) point[i] = face_to_plane(f, curve_point(b->m, c, (double)i / n));
+  for (int i = 0; i < npiece * per; i++) control[i] = chords ? point[i / 2 + i % 2] : face_to_plane(f, h->control[i]);
+  for (int i = 0; i <= npiece; i++) knot[i] = chords ? (double)i / n : h->knot[i];
+  *k = (ArrCurve){.kind = ARR_SPLINE, .p = k->p, .q = k->q, .control = control, .point = point, .knot = knot, .degree = per - 1,
+                  .npiece = npiece, .npoint = (size_t)n + 1};
+}
+
 static ArrCurve plane_curve(Boolean *b, const Curve *c)
 {
   const Face *f = b->input.data[0].face;
@@ -108,12 +124,7 @@ static ArrCurve plane_curve(Boolean *b, const Curve *c)
     k.t1 = h->t1;
     return k;
   }
-  k.kind = ARR_CHAIN;
-  size_t n = (size_t)(h->degree == 1 ? h->npiece : MAX(64, 16 * h->npiece));
-  Vec2 *p = arena_alloc(&b->arena, (n + 1) * sizeof *p);
-  for (size_t i = 0; i <= n; i++) p[i] = face_to_plane(f, curve_point(b->m, c, (double)i / (double)n));
-  k.point = p;
-  k.npoint = n + 1;
+  take_spline(b, c, h, &k);
   return k;
 }
 
@@ -228,12 +239,12 @@ Run boolean__run_of(const Boolean *b, uint32_t half)
   return r;
 }
 
-// In a union, runs of one straight line or arc that meet where nothing else does become one.
+// In a union, runs of one straight line, arc or spline that meet where nothing else does become one.
 static bool joins(const Boolean *b, const Run *x, const Run *y)
 {
   if (b->op != BOOLEAN_UNION || x->to != y->from || b->degree[x->to] != 2 || x->from == y->to) return false;
   const ArrCurve *c = &b->curve[x->curve], *d = &b->curve[y->curve];
-  if (c->kind == ARR_ARC && x->curve == y->curve && x->back == y->back) return x->u1 == y->u0;
+  if (c->kind != ARR_LINE && x->curve == y->curve && x->back == y->back) return x->u1 == y->u0;
   if (c->kind != ARR_LINE || d->kind != ARR_LINE) return false;
   const Vec2 *p = b->a.node.data;
   Vec2 s = vec2_sub(p[x->to], p[x->from]), t = vec2_sub(p[y->to], p[y->from]);
@@ -354,11 +365,7 @@ static bool compute(Boolean *b, const char *word)
   b->curve = mem_alloc((b->source.len + 1) * sizeof *b->curve);
   for (size_t i = 0; i < b->source.len; i++) b->curve[i] = plane_curve(b, model_curve(b->m, b->source.data[i]));
   b->tol = fmax(b->m->set.tolerance, 1e-9) * vec3_distance(b->m->extent.lo, b->m->extent.hi);
-  if (arrangement_build(&b->a, b->curve, b->source.len, b->tol) == ARR_CUTS_CHAIN) {
-    diag_error(b->diag, b->loc, "%s: curve %d meets curve %d, but splines cannot be cut here", word, b->source.data[b->a.culprit[1]],
-               b->source.data[b->a.culprit[0]]);
-    return false;
-  }
+  arrangement_build(&b->a, b->curve, b->source.len, b->tol);
   if (!classify(b)) {
     diag_error(b->diag, b->loc, "%s: the boundaries of the surfaces meet in a way that was not resolved", word);
     return false;

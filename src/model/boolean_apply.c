@@ -30,15 +30,11 @@ static int new_curve(BooleanApply *a, const Run *r)
   Model *m = b->m;
   int pair[2] = {point_of(a, r->from), point_of(a, r->to)}, tag = model__next_tag(m, KIND_CURVE);
   const ArrCurve *k = &b->curve[r->curve];
-  if (k->kind == ARR_CHAIN) {
-    Curve *old = &a->stash[r->curve].curve;
-    for (int i = 0; i < old->npoint; i++)
-      if (old->point[i] == old->begin || old->point[i] == old->end)
-        old->point[i] = pair[old->point[i] != old->begin];
-    Curve *c = curve__make(m, tag, old->type, old->point, old->npoint, pair[0], pair[1], b->loc);
-    c->knot = old->knot;
-    c->nknot = old->nknot;
-    c->pieces = old->pieces;
+  if (k->kind == ARR_SPLINE) {
+    const Pieces *p = b->spline[r->curve];
+    CurveShape whole = {.degree = p->degree, .npiece = p->npiece, .knot = p->knot, .control = p->control};
+    Curve *c = curve__make(m, tag, CURVE_SPLINE, pair, 2, pair[0], pair[1], b->loc);
+    c->pieces = pieces__between(m, &whole, r->u0, r->u1);
     return tag;
   }
   if (k->kind == ARR_LINE) {
@@ -63,7 +59,7 @@ static int new_curve(BooleanApply *a, const Run *r)
 static int curve_of(BooleanApply *a, const Run *r)
 {
   int source = a->b->source.data[r->curve];
-  if (r->whole && !a->stash[r->curve].set) return r->back ? -source : source;
+  if (r->whole && !a->anew[r->curve]) return r->back ? -source : source;
   uint32_t known = map_get(&a->made, key_of(r, false));
   if (known != NONE) return (int)known;
   known = map_get(&a->made, key_of(r, true));
@@ -169,31 +165,13 @@ static bool goes(const Boolean *b, size_t source)
 }
 
 // A whole curve of the result that nothing but the inputs had, and that does not keep its number.
-static void stash_curve(BooleanApply *a, size_t source, ShapeVec *gone)
+static void renew_curve(BooleanApply *a, size_t source, ShapeVec *gone)
 {
-  Model *m = a->b->m;
   int tag = a->b->source.data[source];
-  const Curve *c = model_curve(m, tag);
-  if (c->uses || a->keep_curve[source] || (c->in_loops && a->b->curve[source].kind == ARR_CHAIN && c->pieces))
-    return;
-  a->stash[source] = (Stash){*c, true};
-  a->stash[source].curve.shape = NULL;
-  a->stash[source].curve.point = arena_dup(&m->arena, c->point, (size_t)c->npoint * sizeof *c->point);
-  if (a->b->curve[source].kind == ARR_CHAIN)
-    for (int i = 0; i < c->npoint; i++) point__get(m, c->point[i])->uses++;
+  const Curve *c = model_curve(a->b->m, tag);
+  if (c->uses || a->keep_curve[source]) return;
+  a->anew[source] = true;
   vec_push(gone, ((Shape){1, tag}));
-}
-
-static void release_stash(BooleanApply *a)
-{
-  for (size_t i = 0; i < a->b->source.len; i++) {
-    const Curve *c = &a->stash[i].curve;
-    if (!a->stash[i].set || a->b->curve[i].kind != ARR_CHAIN) continue;
-    for (int k = 0; k < c->npoint; k++) {
-      Point *p = point__get(a->b->m, c->point[k]);
-      if (p) p->uses--;
-    }
-  }
 }
 
 // The faces that go, their curves that nothing uses, and what of their points neither. Nodes of the result
@@ -217,7 +195,7 @@ static void remove_inputs(BooleanApply *a)
     if (map_get(&a->reused, (uint64_t)b->source.data[i]) == NONE)
       vec_push(&gone, ((Shape){1, b->source.data[i]}));
     else
-      stash_curve(a, i, &gone);
+      renew_curve(a, i, &gone);
   }
   model_delete(m, gone.data, gone.len, true);
   vec_free(&gone);
@@ -278,12 +256,15 @@ static void output_cutters(BooleanApply *a, ShapeVec *out)
     }
 }
 
-static void copy_arcs(Boolean *b)
+// The shapes outlive the curves.
+static void copy_shapes(Boolean *b)
 {
+  b->spline = arena_alloc(&b->arena, (b->source.len + 1) * sizeof *b->spline);
   b->arc = arena_alloc(&b->arena, (b->source.len + 1) * sizeof *b->arc);
   for (size_t i = 0; i < b->source.len; i++) {
     const CurveShape *h = model_curve(b->m, b->source.data[i])->shape;
     b->arc[i] = h && h->kind == SHAPE_ARC ? (Arc){h->centre, h->a, h->b, h->t0, h->t1} : (Arc){.t0 = 0};
+    b->spline[i] = b->curve[i].kind == ARR_SPLINE ? pieces__between(b->m, h, 0, 1) : NULL;
   }
 }
 
@@ -362,7 +343,7 @@ static void apply_free(BooleanApply *a)
   free(a->same);
   free(a->kept);
   free(a->owner);
-  free(a->stash);
+  free(a->anew);
 }
 
 bool boolean__apply(Boolean *b, int tag, ShapeVec *out)
@@ -376,17 +357,16 @@ bool boolean__apply(Boolean *b, int tag, ShapeVec *out)
                     .same = mem_alloc((b->listing.len + 1) * sizeof(size_t)),
                     .kept = mem_zalloc((b->listing.len + 1) * sizeof(bool)),
                     .owner = mem_alloc((b->listing.len + 1) * sizeof(uint32_t)),
-                    .stash = mem_zalloc(nsource * sizeof(Stash))};
+                    .anew = mem_zalloc(nsource * sizeof(bool))};
   Face *old = mem_zalloc((b->input.len + 1) * sizeof *old); // the plane of the first outlives it
   for (size_t i = 0; i < b->input.len; i++) old[i] = *b->input.data[i].face;
   boolean__plan(&a, tag >= 0);
-  copy_arcs(b);
+  copy_shapes(b);
   note_reused(&a);
   remove_inputs(&a);
   forget_points(&a);
   b->input.data[0].face = old;
   make_faces(&a, old, tag, out);
-  release_stash(&a);
   remove_idle_points(&a);
   apply_free(&a);
   free(old);

@@ -18,7 +18,7 @@ typedef struct {
   bool drop;
 } Cutter;
 
-// Part of an outline: an edge of the arrangement or, in a union, several of one line or arc. u0, u1 in the direction of the run.
+// Part of an outline: an edge of the arrangement or, in a union, several of one line, arc or spline. u0, u1 in the direction of the run.
 typedef struct {
   uint32_t curve, edge, from, to;
   double u0, u1;
@@ -52,6 +52,7 @@ typedef struct {
   ArrCurve *curve;       // per source
   double tol;            // what is closer is one point
   Arc *arc;              // per source, of arcs
+  Pieces **spline;       // per source, of splines
   Arrangement a;
   size_t words;
   uint64_t *in;          // per face of the arrangement: set of inputs
@@ -76,11 +77,6 @@ void boolean__order(Boolean *b); // fills `listing`, and `images` of the inputs
 void boolean__list_as_input(Boolean *b, size_t listed, size_t input); // a listed face that is this input: by its own wires
 
 typedef struct {
-  Curve curve;  // as it was; its points are kept from being deleted
-  bool set;
-} Stash;
-
-typedef struct {
   Boolean *b;
   int *point;     // per node: tag, or 0
   double *lc;     // per node: size of its point
@@ -88,7 +84,7 @@ typedef struct {
   size_t *same;     // per listed face: input that is it, curve for curve; or SIZE_MAX
   bool *kept;       // per listed face: is that input, which stays
   uint32_t *owner;  // per listed face: input whose tag it takes, or NONE
-  Stash *stash;   // per source: to be made anew
+  bool *anew;     // per source: whole, but with a new number
   Map made;       // curve, from and to of a run -> signed tag of a curve that runs so
   Map reused;     // tags of source curves that stay
   IntVec idle;    // points whose place another took

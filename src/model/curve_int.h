@@ -32,6 +32,9 @@ static inline const Vec3 *shape__control(const CurveShape *h, int piece)
 // Position and first two derivatives of a Bezier piece at s; d1, d2 may be NULL.
 Vec3 bezier__at(const Vec3 *b, int degree, double s, Vec3 *d1, Vec3 *d2);
 
+// Pieces of a shape of pieces between the parameters a and b (split.c).
+Pieces *pieces__between(Model *m, const CurveShape *h, double a, double b);
+
 // Pieces in the plane of the sphere to cubic pieces in space.
 void sphere__lift(const PolarSphere *sphere, CurveShape *h);
 

@@ -159,8 +159,7 @@ static void bezier_part(const Vec3 *b, int degree, double s0, double s1, Vec3 *o
     for (int i = 0; i <= degree - r; i++) out[i] = vec3_add(out[i], vec3_scale(t, vec3_sub(out[i + 1], out[i])));
 }
 
-// Pieces of the shape between the parameters a and b.
-static Pieces *pieces_between(Model *m, const CurveShape *h, double a, double b)
+Pieces *pieces__between(Model *m, const CurveShape *h, double a, double b)
 {
   double s0, s1, width;
   int i0 = shape__piece(h, a, &s0, &width), i1 = shape__piece(h, b, &s1, &width);
@@ -194,7 +193,7 @@ static void take_part(Model *m, Curve *part, const CurveShape *h, double a, doub
 {
   if (!h) return;
   if (h->kind == SHAPE_PIECES) {
-    part->pieces = pieces_between(m, h, a, b);
+    part->pieces = pieces__between(m, h, a, b);
     if (part->pieces->degree == 1 && part->pieces->npiece == 1) part->pieces = NULL, part->type = CURVE_LINE;
     return;
   }

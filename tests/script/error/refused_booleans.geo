@@ -5,7 +5,6 @@ SetFactory("Open");                                      // expect error: unknow
 SetFactory("OpenCASCADE");
 Rectangle(1) = {0,0,0, 1,1};
 Point(11) = {-1,.5,0}; Point(12) = {.5,.7,0}; Point(13) = {2,.5,0}; Spline(11) = {11,12,13};
-BooleanFragments{ Surface{1}; Delete; }{ Curve{11}; Delete; } // expect error: BooleanFragments: curve 2 meets curve 11, but splines cannot be cut here
 BooleanFragments{ Curve{11}; }{ }                        // expect error: BooleanFragments needs surfaces
 Point(21) = {5,5,0}; Point(22) = {6,5,0}; Point(23) = {6,6,1}; Point(24) = {5,6,0};
 Line(21) = {21,22}; Line(22) = {22,23}; Line(23) = {23,24}; Line(24) = {24,21}; Curve Loop(21) = {21:24}; Plane Surface(21) = {21}; // expect warning: surface 21 is not plane: its boundary is up to 0.204124 off its mean plane
