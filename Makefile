@@ -48,7 +48,7 @@ PKG_CFLAGS := $(shell $(PKG_CONFIG) --cflags $(LIB_PKGS) 2>/dev/null)
 CFLAGS_ALL := -std=c11 $(CWARN) $(COMMON) $(PKG_CFLAGS) $(CFLAGS)
 CXXFLAGS_ALL := -std=c++17 $(WARN) $(COMMON) $(CXXFLAGS)
 # cairo is loaded when a picture is drawn (out/cairo_load.h).
-LIBS := -lmpfr -lgmp -lz -lm
+LIBS := -lmetis -lmpfr -lgmp -lz -lm
 
 SRC_C := $(sort $(wildcard src/*/*.c))
 SRC_CC := $(sort $(wildcard src/*/*.cc))

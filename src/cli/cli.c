@@ -134,6 +134,33 @@ static void set_algorithm(Walk *w)
     set_named(w, "Algorithm", n);
 }
 
+// Option of the weight of elements called so; NULL if there are none such here. Those of volumes are taken and mean nothing.
+static const char *weight_key(const char *name)
+{
+  static const struct { const char *name, *key; } known[] = {
+      {"line", "PartitionLineWeight"}, {"tri", "PartitionTriWeight"}, {"quad", "PartitionQuadWeight"},
+      {"tet", "PartitionTetWeight"},   {"hex", "PartitionHexWeight"}, {"pri", "PartitionPrismWeight"},
+      {"pyr", "PartitionPyramidWeight"}, {"trih", "PartitionTrihedronWeight"}};
+  for (size_t i = 0; i < ARRAY_LEN(known); i++)
+    if (strcmp(known[i].name, name) == 0) return known[i].key;
+  return NULL;
+}
+
+static void set_part_weights(Walk *w)
+{
+  do {
+    const char *name = next_word(w, "part_weight"), *key = name ? weight_key(name) : NULL;
+    double v = 0;
+    if (!name) return;
+    if (!key) {
+      usage_error(w, "-part_weight takes line, tri or quad and a number, not '%'", name, "");
+      return;
+    }
+    if (!next_number(w, "part_weight", &v)) return;
+    set_named(w, key, v);
+  } while (w->at + 1 < w->argc && weight_key(w->argv[w->at + 1]));
+}
+
 static void set_color(Walk *w)
 {
   static const char *const when[] = {"never", "always", "auto"};
@@ -153,7 +180,8 @@ static void set_color_by(Walk *w)
   Measure what = mesh_measure_find(s);
   if (what < MEASURES) w->c->color_by = 1 + (int)what;
   else if (strcmp(s, "group") == 0) w->c->color_by = 0;
-  else usage_error(w, "-color_by takes group, gamma, angle, eta, jacobian or kappa1 to kappa5, not '%'", s, "");
+  else if (strcmp(s, "partition") == 0) w->c->color_by = COLOR_BY_PART;
+  else usage_error(w, "-color_by takes group, partition, gamma, angle, eta, jacobian or kappa1 to kappa5, not '%'", s, "");
 }
 
 // Names of measures with commas between.
@@ -253,6 +281,7 @@ static void do_command(Walk *w, CommandId id)
   case CMD_WINDOW: set_window(w); break;
   case CMD_WIDTH: next_int(w, "width", 200, 20000, &c->width); break;
   case CMD_SYNC: c->sync = true; break;
+  case CMD_MERGE: c->merge = true; break;
   case CMD_EXPLAIN_SIZE: c->explain = next_word(w, "explain_size"); break;
   case CMD_ALGO: set_algorithm(w); break;
   case CMD_HEAL: set_named(w, "Heal", 1); break;
@@ -260,6 +289,10 @@ static void do_command(Walk *w, CommandId id)
     set_named(w, "RecombineAll", 1);
     set_named(w, "RecombinationAlgorithm", 2);
     break;
+  case CMD_PART_NO_TOPO: set_named(w, "PartitionCreateTopology", 0); break;
+  case CMD_PART_NO_GHOSTS: set_named(w, "PartitionCreateGhostCells", 0); break;
+  case CMD_PART_NO_PHYSICALS: set_named(w, "PartitionCreatePhysicals", 0); break;
+  case CMD_PART_WEIGHT: set_part_weights(w); break;
   case CMD_SETNUMBER: set_name(w, true); break;
   case CMD_SETSTRING: set_name(w, false); break;
   case CMD_SETLIST: set_list(w); break;

@@ -44,8 +44,8 @@ typedef struct {
   const char *format;    // or NULL
   Vec(Setting) settings;
   const char *bgm, *log, *shell, *explain;
-  bool json, report, full_report, keep_going, allow_system, werror, voronoi, insertion, sync, histogram;
-  int color_by;       // 0: by group; else 1 + a Measure
+  bool json, report, full_report, keep_going, allow_system, werror, voronoi, insertion, sync, histogram, merge;
+  int color_by;       // 0: by group; COLOR_BY_PART; else 1 + a Measure
   unsigned cell_data; // bit k: Measure k
   int width, mark_worst; // of pictures: pixels, elements; 0: default, none
   double window[4];      // of pictures: x0, y0, x1, y1; all 0: the whole mesh

@@ -37,6 +37,11 @@ OutOptions output_options(const Job *j)
                       .node_sets = dimensions(o->Mesh_SaveGroupsOfNodes),
                       .no_element_sets = ~dimensions(o->Mesh_SaveGroupsOfElements),
                       .no_elements = o->Mesh_SaveGroupsOfElements < 0 ? ~dimensions(o->Mesh_SaveGroupsOfElements) : 0,
+                      .no_part_topology = !o->Mesh_PartitionCreateTopology,
+                      .part_groups = o->Mesh_PartitionCreatePhysicals && !o->Mesh_PartitionOldStyleMsh2,
+                      .part_new_style = !o->Mesh_PartitionOldStyleMsh2,
+                      .part_ghosts = o->Mesh_PartitionCreateGhostCells,
+                      .part_split = o->Mesh_PartitionSplitMeshFiles,
                       .stl_solids = o->Mesh_StlOneSolidPerSurface,
                       .cell_data = c->cell_data,
                       .sync = c->sync,
@@ -212,7 +217,7 @@ static ExitCode check_output(const Cli *c, const char *path, Diag *diag)
     diag_error(diag, NO_LOC, "-o needs a file name, not an empty word");
     return EXIT_USAGE;
   }
-  if (c->inputs.len > 1 && !folder) {
+  if (c->inputs.len > 1 && !c->merge && !folder) {
     diag_error(diag, NO_LOC, "with several inputs -o must name an existing folder, not '%s'", path);
     return EXIT_USAGE;
   }
@@ -247,6 +252,6 @@ ExitCode output_check(const Cli *c, Diag *diag)
         status = EXIT_USAGE;
       }
   }
-  if (status == EXIT_GOOD && c->inputs.len > 1 && c->outputs.len) status = check_names(c, diag);
+  if (status == EXIT_GOOD && c->inputs.len > 1 && !c->merge && c->outputs.len) status = check_names(c, diag);
   return status;
 }

@@ -18,7 +18,9 @@
 #include "mesh/mesh2d_estimate.h"
 #include "mesh/mesh2d_joint.h"
 #include "mesh/mesh_check.h"
+#include "mesh/mesh_join.h"
 #include "mesh/mesh_stats.h"
+#include "mesh/partition.h"
 #include "mesh/periodic.h"
 #include "mesh/subdivide.h"
 #include "model/model_edit.h"
@@ -36,13 +38,24 @@ static void drop_mesh(Job *j)
   j->mesh_dim = -1;
 }
 
-// The mesh of the job becomes another one; sizes at its nodes are no longer known.
+// Divide the mesh in n parts, or take its partition away; false after an error.
+static bool partition(Job *j, int n)
+{
+  stage_begin(&j->stats, "partition");
+  bool good = mesh_partition(j->mesh, n, &j->options, j->diag);
+  stage_end(&j->stats);
+  return good;
+}
+
+// The mesh of the job becomes another one, in as many parts; sizes at its nodes are no longer known.
 static void replace_mesh(Job *j, Mesh *mesh)
 {
+  uint32_t parts = j->mesh->nparts;
   mesh_free(j->mesh);
   j->mesh = mesh;
   free(j->node_size);
   j->node_size = NULL;
+  if (parts && !mesh->nparts) partition(j, (int)parts);
 }
 
 // Curves must be there to place nodes on them.
@@ -198,8 +211,9 @@ static bool host_mesh(void *ctx, MeshCommand what, double number, const char *te
     split_elements(j, what == MESH_REFINE ? SUBDIVIDE_HALVE : SUBDIVIDE_BARYCENTRIC);
     return true;
   }
-  diag_warning(j->diag, loc, "PartitionMesh is left out: partitions are not made here");
-  return true;
+  if (number >= 0 && number <= INT32_MAX) return partition(j, (int)number);
+  diag_error(j->diag, loc, "PartitionMesh: the number of parts must be 0 or more, not %g", number);
+  return false;
 }
 
 static bool host_save(void *ctx, const char *path, SrcLoc loc)
@@ -372,15 +386,18 @@ static ExitCode write_and_report(Job *j, bool wanted)
   return status;
 }
 
+// -part and Mesh.NbPartitions; without them what a script or a file has divided stays so.
+static bool partition_if_asked(Job *j)
+{
+  return j->options.Mesh_NbPartitions < 1 || partition(j, j->options.Mesh_NbPartitions);
+}
+
 static ExitCode finish(Job *j)
 {
-  if (j->options.Mesh_NbPartitions > 1) {
-    diag_error(j->diag, NO_LOC, "meshes cannot be partitioned by this version (-part, Mesh.NbPartitions)");
-    return EXIT_INPUT;
-  }
   if (!j->mesh->nnode) diag_warning(j->diag, NO_LOC, "%s: there is nothing to mesh: the mesh is empty", j->input);
   bool good = j->mesh_dim < 0 || audit(j);
   if (!good && !j->cli->keep_going) return EXIT_INPUT;
+  if (!partition_if_asked(j)) return EXIT_INPUT;
   ExitCode status = write_and_report(j, true);
   if (status == EXIT_GOOD && (!good || j->failed_faces)) status = EXIT_PARTIAL;
   return status;
@@ -465,21 +482,39 @@ static ExitCode run_geo(Job *j)
   return finish(j);
 }
 
+// -merge: all the inputs as one mesh; NULL after an error.
+static Mesh *read_merged(Job *j, ExitCode *status)
+{
+  size_t n = j->cli->inputs.len, read = 0;
+  Mesh **part = mem_zalloc(n * sizeof *part), *joined = NULL;
+  while (read < n && (part[read] = out_read(j->cli->inputs.data[read], NULL, j->threads, j->diag, status)) != NULL) read++;
+  unsigned long long node;
+  if (read == n && !(joined = mesh_join(part, n, &node))) {
+    diag_error(j->diag, NO_LOC, "-merge: node %llu is not at the same place in all files: they are not of one mesh", node);
+    *status = EXIT_INPUT;
+  }
+  for (size_t i = 0; i < read; i++) mesh_free(part[i]);
+  free(part);
+  return joined;
+}
+
 // A mesh that exists is converted, or reported on; only switches that speak of meshes apply.
 static ExitCode run_mesh_file(Job *j)
 {
   ExitCode status = EXIT_INPUT;
   stage_begin(&j->stats, "read");
-  j->mesh = out_read(j->input, NULL, j->threads, j->diag, &status);
+  j->mesh = j->cli->merge ? read_merged(j, &status) : out_read(j->input, NULL, j->threads, j->diag, &status);
   stage_end(&j->stats);
   if (!j->mesh) return status;
   bool wanted = j->cli->json || j->cli->require.len;
   if (!j->cli->outputs.len && !j->cli->format) {
+    if (wanted && !partition_if_asked(j)) return EXIT_INPUT;
     if (wanted) return report_print(j, NULL, j->out);
     diag_error(j->diag, NO_LOC, "%s is a mesh: say where to write it (-o file) or use meshgen check", j->input);
     return EXIT_USAGE;
   }
   split_if_asked(j);
+  if (!partition_if_asked(j)) return EXIT_INPUT;
   return write_and_report(j, wanted);
 }
 
@@ -500,6 +535,11 @@ ExitCode pipeline_run(const Cli *c, Diag *diag)
 {
   ExitCode status = output_check(c, diag);
   if (status != EXIT_GOOD) return status;
-  if (c->inputs.len > 1) return batch_run(c, diag);
+  if (c->inputs.len > 1 && !c->merge) return batch_run(c, diag);
+  for (size_t i = 0; c->inputs.len > 1 && i < c->inputs.len; i++)
+    if (!is_mesh_file(c->inputs.data[i])) {
+      diag_error(diag, NO_LOC, "-merge puts mesh files together, and '%s' is none", c->inputs.data[i]);
+      return EXIT_USAGE;
+    }
   return pipeline_run_one(c, c->inputs.data[0], diag, c->options.General_NumThreads, stdout, NULL);
 }

@@ -12,12 +12,14 @@
 #include "mesh/mesh_index.h"
 #include "mesh/mesh_shapes.h"
 #include "mesh/mesh_stats.h"
+#include "mesh/partition_stats.h"
 
 typedef struct {
   const Job *job;
   MeshStats stats;
   MeshShapes shapes; // empty where nothing asks for it
   MeshIndices indices;
+  PartitionStats parts; // n = 0 if the mesh is not partitioned
   char hash[MESH_HASH_TEXT];
 } Report;
 
@@ -26,7 +28,7 @@ typedef struct {
   const char *name;
   double value;
 } Figure;
-enum { FIGURES = 48 };
+enum { FIGURES = 56 };
 
 static double smallest_angle(const MeshStats *s) { return s->angle.n ? s->angle.min : NAN; }
 
@@ -35,6 +37,7 @@ static size_t figures(const Report *r, Figure f[FIGURES])
   const MeshStats *s = &r->stats;
   const double none = NAN;
   const MeshShapes *k = r->shapes.triangles ? &r->shapes : NULL;
+  const PartitionStats *p = r->parts.n ? &r->parts : NULL;
   const Figure list[] = {
       {"nodes", (double)s->nodes},
       {"elements", (double)(s->triangles + s->quads)},
@@ -75,6 +78,11 @@ static size_t figures(const Report *r, Figure f[FIGURES])
       {"max_principle_edges", k ? (double)k->obtuse : none},
       {"crossing_rounds", r->job->curves ? r->job->curves->rounds : none},
       {"halved_edges", r->job->curves ? r->job->curves->nsplit : none},
+      {"parts", p ? p->n : none},
+      {"part_imbalance", p ? p->imbalance : none},
+      {"cut_edges", p ? (double)p->cut : none},
+      {"part_neighbours", p ? p->neighbours : none},
+      {"part_pieces", p ? p->pieces : none},
       {"warnings", diag_warnings(r->job->diag)},
   };
   CHECK(ARRAY_LEN(list) <= FIGURES);
@@ -208,6 +216,20 @@ static void text_indices(FILE *f, const MeshIndices *s)
   fprintf(f, " sum %g, Euler characteristic %ld\n", 0.25 * (double)s->sum4, s->euler);
 }
 
+static void text_parts(FILE *f, const PartitionStats *s, bool full)
+{
+  if (!s->n) return;
+  fprintf(f, "  %-16s %u of %zu to %zu elements, %.2f %% over the mean, %zu edges cut, %u neighbours at most%s\n", "parts", s->n, s->least,
+          s->most, 100 * s->imbalance, s->cut, s->neighbours, s->pieces > s->n ? "" : ", each in one piece");
+  if (s->pieces > s->n) fprintf(f, "  %-16s %u parts are in %u pieces\n", "", s->n, s->pieces);
+  if (!full) return;
+  fprintf(f, "  %-8s %10s %10s %10s %10s %10s\n", "part", "elements", "cut edges", "ghosts", "neighbours", "pieces");
+  for (uint32_t k = 0; k < s->n; k++) {
+    const PartInfo *p = &s->part[k];
+    fprintf(f, "  %-8u %10zu %10zu %10zu %10u %10u\n", k + 1, p->elements, p->cut, p->ghosts, p->neighbours, p->pieces);
+  }
+}
+
 static void print_text(const Report *r, FILE *f)
 {
   const MeshStats *s = &r->stats;
@@ -228,6 +250,7 @@ static void print_text(const Report *r, FILE *f)
   if (full) text_histogram(f, "eta", &s->eta);
   if (full) text_histogram(f, "angle", &s->angle);
   text_indices(f, &r->indices);
+  text_parts(f, &r->parts, full);
   if (r->job->matching_seconds > 0) fprintf(f, "  %-16s %.4f s\n", "matching", r->job->matching_seconds);
   if (isfinite(s->tau)) fprintf(f, "  %-16s %.4f\n", "efficiency tau", s->tau);
   fprintf(f, "  %-16s %s\n", "hash", r->hash);
@@ -351,6 +374,25 @@ static void json_stages(Json *j, const Stats *s)
   json_end(j, ']');
 }
 
+static void json_partition(Json *j, const PartitionStats *s)
+{
+  json_begin(j, "partition", '[');
+  for (uint32_t k = 0; k < s->n; k++) {
+    const PartInfo *p = &s->part[k];
+    json_begin(j, NULL, '{');
+    json_integer(j, "part", k + 1);
+    json_integer(j, "lines", (long long)p->lines);
+    json_integer(j, "triangles", (long long)p->triangles);
+    json_integer(j, "quads", (long long)p->quads);
+    json_integer(j, "cut_edges", (long long)p->cut);
+    json_integer(j, "ghosts", (long long)p->ghosts);
+    json_integer(j, "neighbours", p->neighbours);
+    json_integer(j, "pieces", p->pieces);
+    json_end(j, '}');
+  }
+  json_end(j, ']');
+}
+
 // What every report begins with, whether there is a mesh or not.
 static void json_head(Json *j, const Job *job, ExitCode status)
 {
@@ -408,6 +450,7 @@ static void print_json(const Report *r, ExitCode status, const ExitCode *verdict
   json_end(&j, '}');
   json_indices(&j, &r->indices);
   json_worst(&j, s);
+  json_partition(&j, &r->parts);
   json_tail(&j, r->job, f);
 }
 
@@ -432,6 +475,7 @@ ExitCode report_print(Job *j, const double *node_size, FILE *f)
   mesh_stats_make(&r.stats, j->mesh, node_size);
   if (c->json || c->full_report || c->require.len || c->report) mesh_indices_make(&r.indices, j->mesh);
   if (c->json || c->full_report || c->require.len) mesh_shapes_make(&r.shapes, j->mesh);
+  if (j->mesh->nparts) partition_stats_make(&r.parts, j->mesh);
   MeshHash h = mesh_hash(j->mesh, j->options.Mesh_SaveAll);
   mesh_hash_print(h.full, r.hash);
   ExitCode status = EXIT_GOOD, *verdict = mem_alloc(c->require.len * sizeof *verdict);
@@ -447,5 +491,6 @@ ExitCode report_print(Job *j, const double *node_size, FILE *f)
   j->reported = true;
   free(verdict);
   mesh_stats_free(&r.stats);
+  if (r.parts.n) partition_stats_free(&r.parts);
   return status;
 }

@@ -50,8 +50,12 @@ void mesh_free(Mesh *m)
     vec_free(&m->entity[i].physical);
     vec_free(&m->entity[i].boundary);
     vec_free(&m->entity[i].embedded);
+    vec_free(&m->entity[i].parts);
   }
-  for (size_t i = 0; i < m->nblock; i++) free(m->block[i].node);
+  for (size_t i = 0; i < m->nblock; i++) {
+    free(m->block[i].node);
+    free(m->block[i].part);
+  }
   for (size_t i = 0; i < m->ngroup; i++) free(m->group[i].name);
   for (size_t i = 0; i < m->nperiodic; i++) {
     vec_free(&m->periodic[i].slave_node);

@@ -39,6 +39,10 @@ typedef struct {
   IntVec physical;         // physical tags, negative where the group was defined with the negative entity
   IntVec boundary;         // signed tags of the bounding entities of dimension dim-1 (a curve's: begin, then -end)
   IntVec embedded;         // tags of curves embedded in a face
+  // Of a piece of another entity in some parts of the mesh (mesh/part_entities.h); elsewhere `parts` is empty.
+  int parent_dim, parent_tag;
+  IntVec parts;            // ascending
+  bool saved;              // its elements are saved although it is in no group
 } MeshEntity;
 
 typedef struct {
@@ -51,6 +55,7 @@ typedef struct {
   ElemType type;
   size_t n;                // number of elements
   uint32_t *node;          // n * elem_nodes(type) indices into the node arrays
+  uint32_t *part;          // n parts, from 1, where the mesh is partitioned; else NULL
 } MeshBlock;
 
 typedef struct {
@@ -78,6 +83,7 @@ typedef struct {
   MeshGroup *group;        // by dim, then tag; every physical tag in entity[].physical is here
   size_t nperiodic, periodic_cap;
   MeshPeriodic *periodic;
+  uint32_t nparts;         // of a partition (mesh/partition.h); 0: none
 } Mesh;
 
 Mesh *mesh_new(void);

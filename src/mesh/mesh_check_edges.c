@@ -191,11 +191,23 @@ static bool face_has_elements(const Check *c, uint32_t face)
   return lo < c->m->nblock && c->m->block[lo].entity == face;
 }
 
+// Is this a mesh in parts of which some are elsewhere?
+static bool lacks_parts(const Mesh *m)
+{
+  bool *here = mem_zalloc(m->nparts * sizeof *here), lacks = false;
+  for (size_t b = 0; m->nparts && b < m->nblock; b++)
+    for (size_t i = 0; elem_dim(m->block[b].type) == 2 && i < m->block[b].n; i++) here[m->block[b].part[i] - 1] = true;
+  for (uint32_t k = 0; k < m->nparts; k++) lacks = lacks || !here[k];
+  free(here);
+  return lacks;
+}
+
 // curve << 32 | face, once for each element of the face that each line of the curve must have: one per listing in the
 // boundary, two where the curve is embedded.
 static void wanted_uses(const Check *c, U64Vec *wanted)
 {
   const Mesh *m = c->m;
+  if (lacks_parts(m)) return;
   for (uint32_t f = 0; f < m->nentity; f++) {
     const MeshEntity *t = &m->entity[f];
     if (t->dim != 2 || !face_has_elements(c, f)) continue;

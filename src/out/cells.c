@@ -17,6 +17,7 @@ void cells_free(Cells *c)
   vec_free(&c->type);
   vec_free(&c->group);
   vec_free(&c->entity);
+  vec_free(&c->part);
 }
 
 int cells_array_kind(const char *name)
@@ -27,7 +28,7 @@ int cells_array_kind(const char *name)
     if (strcasecmp(name, groups[i]) == 0) return 1;
   for (size_t i = 0; i < ARRAY_LEN(entities); i++)
     if (strcasecmp(name, entities[i]) == 0) return 2;
-  return 0;
+  return strcasecmp(name, "partition") == 0 ? 3 : 0;
 }
 
 // Type of a cell of so many points; 0 if it is none of ours, -1 if it is of dimension 3.
@@ -55,6 +56,7 @@ static void import_cell(Cells *c, Import *im, size_t i)
   int64_t group = c->group.len ? c->group.data[i] : 0, entity = c->entity.len ? c->entity.data[i] : 0;
   int g = group > 0 && group <= INT32_MAX ? (int)group : 0, e = entity > 0 && entity <= INT32_MAX ? (int)entity : MAX(g, 1);
   int64_t n = to - from;
+  if (c->part.len) import_part(im, c->part.data[i]);
   int t = type_of(vtk, n);
   // Poly-vertices, polylines and triangle strips are several elements; polygons of 3 and 4 are ours.
   ElemType part = vtk == 2 ? ELEM_POINT : vtk == 4 ? ELEM_LINE2 : vtk == 6 ? ELEM_TRI3 : 0;
@@ -94,6 +96,7 @@ void cells_import(Cells *c, Import *im)
   if (!im->s->failed && n && c->offset.len != n + 1) scan_error(im->s, "%zu cells, but types for %zu", c->offset.len ? c->offset.len - 1 : 0, n);
   if (!im->s->failed && c->group.len && c->group.len != n) scan_error(im->s, "groups for %zu of %zu cells", c->group.len, n);
   if (!im->s->failed && c->entity.len && c->entity.len != n) scan_error(im->s, "entities for %zu of %zu cells", c->entity.len, n);
+  if (!im->s->failed && c->part.len && c->part.len != n) scan_error(im->s, "parts for %zu of %zu cells", c->part.len, n);
   if (!im->s->failed) {
     import_reserve_nodes(im, c->point.len / 3);
     for (size_t i = 0; i + 2 < c->point.len; i += 3) {

@@ -108,6 +108,15 @@ static int write_file(const Format *f, const Selection *s, const char *path, con
   return writer_close(w);
 }
 
+ExitCode format__write(const Format *f, const Selection *s, const char *path, const OutOptions *o, Diag *d)
+{
+  const char *why = f->refuses ? f->refuses(s) : NULL;
+  int error = why ? 0 : write_file(f, s, path, o);
+  if (why) diag_error(d, NO_LOC, "%s: %s", path, why);
+  if (error) diag_error(d, NO_LOC, "%s: %s", path, strerror(error));
+  return why ? EXIT_INPUT : error ? EXIT_ENVIRONMENT : EXIT_GOOD;
+}
+
 ExitCode out_write(const Mesh *m, const char *path, const char *format, const OutOptions *o, Diag *d)
 {
   const Format *f = choose(path, format, d);
@@ -130,13 +139,11 @@ ExitCode out_write(const Mesh *m, const char *path, const char *format, const Ou
     diag_warning(d, NO_LOC, "%s: format %s has no room for the measures of elements (-cell_data)", path, f->name);
   OutOptions options = *o;
   if (f->flags & FORMAT_ALL) options.save_all = true;
+  unsigned flags = o->no_orphans ? f->flags & ~(unsigned)FORMAT_ORPHANS : f->flags;
+  if (m->nparts && !(f->flags & FORMAT_ALL)) return parts__write(f, m, path, &options, flags, d);
   Selection s;
-  select__make(&s, m, &options, o->no_orphans ? f->flags & ~(unsigned)FORMAT_ORPHANS : f->flags);
-  const char *why = f->refuses ? f->refuses(&s) : NULL;
-  int error = why ? 0 : write_file(f, &s, path, &options);
-  if (why) diag_error(d, NO_LOC, "%s: %s", path, why);
-  if (error) diag_error(d, NO_LOC, "%s: %s", path, strerror(error));
-  ExitCode status = why ? EXIT_INPUT : error ? EXIT_ENVIRONMENT : EXIT_GOOD;
+  select__make(&s, m, &options, flags);
+  ExitCode status = format__write(f, &s, path, &options, d);
   select__free(&s);
   return status;
 }

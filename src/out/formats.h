@@ -17,7 +17,7 @@ typedef struct {
   bool save_parametric;      // parameters of nodes on curves (MSH)
   double scaling;            // of written coordinates; 0 means 1
   uint64_t first_node, first_element; // smallest numbers; 0 means 1
-  int element_tag;           // for formats with one tag: 0, 1 elementary, 2 physical
+  int element_tag;           // for formats with one tag: 0, 1 elementary, 2 physical, 3 part
   // inp and unv, a bit per dimension of a group:
   unsigned node_sets;        // gets a set of nodes
   unsigned no_element_sets;  // gets no set of elements
@@ -26,14 +26,22 @@ typedef struct {
   const char *title;         // line of text in formats that have one; NULL for the program's name
   unsigned cell_data;        // bit k: the values of Measure k of all elements, 0 on points and lines (MSH 2 and 4, VTK, VTU)
   bool sync;                 // wait until the file is on the disk
+  // meshes in parts (mesh/partition.h)
+  bool no_part_topology;     // MSH: entities of parts need not hang together; none between parts
+  bool part_groups;          // MSH: groups of parts, in MSH 2 if part_new_style
+  bool part_new_style;       // MSH 2: elements are on entities of parts
+  bool part_ghosts;          // MSH: ghost cells
+  bool part_split;           // a file for each part: name_1.msh, ...
   int threads;               // as for thread_for; never changes a byte
   // pictures
-  int color;                 // 0: by group; else 1 + a Measure
+  int color;                 // 0: by group; COLOR_BY_PART; else 1 + a Measure
   int width;                 // pixels; 0 means 1400
   double window[4];          // least x and y, then largest, of what is drawn; all 0: the whole mesh
   int mark_worst;            // elements of least quality to mark with a ring
   bool histogram;            // at the right: of gamma where groups are coloured; a coloured measure always has its own
 } OutOptions;
+
+enum { COLOR_BY_PART = -1 };
 
 typedef struct Format Format;
 

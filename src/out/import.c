@@ -6,6 +6,8 @@
 
 #include <math.h>
 
+#include "mesh/partition.h"
+
 void import_begin(Import *im, Scan *s)
 {
   *im = (Import){.s = s, .mesh = mesh_new(), .dense = true};
@@ -96,9 +98,9 @@ static ImportRun *run_for(Import *im, ElemType type, int entity, int physical)
 {
   if (im->run.len) {
     ImportRun *r = &vec_last(&im->run);
-    if (!r->own && r->type == type && r->entity == entity && r->physical == physical) return r;
+    if (!r->own && r->type == type && r->entity == entity && r->physical == physical && r->part == im->part) return r;
   }
-  vec_push(&im->run, ((ImportRun){elem_dim(type), entity, physical, type, 0, im->node.len, NULL}));
+  vec_push(&im->run, ((ImportRun){elem_dim(type), entity, physical, type, 0, im->node.len, NULL, im->part}));
   return &vec_last(&im->run);
 }
 
@@ -107,8 +109,24 @@ void import_element(Import *im, ElemType type, int entity, int physical) { run_f
 uint32_t *import_elements(Import *im, ElemType type, int entity, int physical, size_t n)
 {
   uint32_t *own = mem_alloc(n * (size_t)elem_nodes(type) * sizeof *own);
-  vec_push(&im->run, ((ImportRun){elem_dim(type), entity, physical, type, n, 0, own}));
+  vec_push(&im->run, ((ImportRun){elem_dim(type), entity, physical, type, n, 0, own, im->part}));
   return own;
+}
+
+void import_drop(Import *im)
+{
+  free(vec_last(&im->run).own);
+  im->run.len--;
+}
+
+void import_part(Import *im, int64_t part)
+{
+  if (part < 0 || part > IMPORT_MAX_PARTS) {
+    scan_error(im->s, "part %lld: parts are 1 to %d", (long long)part, IMPORT_MAX_PARTS);
+    return;
+  }
+  im->part = (uint32_t)part;
+  im->nparts = MAX(im->nparts, im->part);
 }
 
 MeshEntity *import_entity(Import *im, int dim, int tag)
@@ -241,8 +259,9 @@ typedef struct {
 static void add_merged(Import *im, Merged *out, const Copy *c, int tag)
 {
   ElemType type = im->run.data[c->run].type;
-  if (!out->run.len || vec_last(&out->run).type != type || vec_last(&out->run).entity != tag)
-    vec_push(&out->run, ((ImportRun){elem_dim(type), tag, 0, type, 0, out->node.len, NULL}));
+  uint32_t part = im->run.data[c->run].part;
+  if (!out->run.len || vec_last(&out->run).type != type || vec_last(&out->run).entity != tag || vec_last(&out->run).part != part)
+    vec_push(&out->run, ((ImportRun){elem_dim(type), tag, 0, type, 0, out->node.len, NULL, part}));
   copy_out(im, &out->node, &vec_last(&out->run), c);
 }
 
@@ -436,6 +455,19 @@ static int key_order(const void *x, const void *y)
   return a->run < b->run ? -1 : a->run > b->run;
 }
 
+// Parts of the last block's elements, which are those of the runs.
+static void set_parts(Import *im, const RunKey *key, size_t nkey)
+{
+  MeshBlock *k = &im->mesh->block[im->mesh->nblock - 1];
+  if (!im->nparts) return;
+  k->part = mem_alloc(k->n * sizeof *k->part);
+  uint32_t *to = k->part;
+  for (size_t i = 0; i < nkey; i++) {
+    const ImportRun *r = &im->run.data[key[i].run];
+    for (size_t j = 0; j < r->n; j++) *to++ = r->part;
+  }
+}
+
 // The elements of runs of one entity and type, in the order of the file.
 static void make_block(Import *im, const RunKey *key, size_t nkey)
 {
@@ -443,6 +475,7 @@ static void make_block(Import *im, const RunKey *key, size_t nkey)
   if (nkey == 1 && first->own) {
     mesh_take_block(im->mesh, key->entity, key->type, first->n, first->own);
     first->own = NULL;
+    set_parts(im, key, nkey);
     return;
   }
   size_t total = 0;
@@ -454,6 +487,7 @@ static void make_block(Import *im, const RunKey *key, size_t nkey)
     if (count) memcpy(to, nodes_of_run(im, r), count * sizeof *to);
     to += count;
   }
+  set_parts(im, key, nkey);
 }
 
 static void make_blocks(Import *im)
@@ -544,6 +578,9 @@ Mesh *import_finish(Import *im)
     m->node_shift = im->tag0 - 1;
     m->node_number = im->number.data;
     im->number.data = NULL;
+    m->nparts = im->nparts;
+    if (m->nparts && !mesh_complete_parts(m))
+      diag_warning(im->s->diag, NO_LOC, "%s: not every element is in a part, so the parts are left out", im->s->name);
     if (im->volumes)
       diag_warning(im->s->diag, NO_LOC, "%s: %zu elements of dimension 3 are left out", im->s->name, im->volumes);
   }

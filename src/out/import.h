@@ -14,6 +14,7 @@ typedef struct {
   ElemType type;
   size_t n, first;           // elements; where in Import.node their nodes begin
   uint32_t *own;             // or their nodes, if they came all at once
+  uint32_t part;             // of a mesh in parts; 0: not told
 } ImportRun;
 
 // Nodes that followed each other on the same entity; dim -1 if the file does not say which.
@@ -34,6 +35,7 @@ typedef struct {
   Vec(ImportRun) run;
   Vec(MeshEntity) entity;   // that the file describes
   size_t volumes;           // elements of dimension 3, left out
+  uint32_t part, nparts;    // of the elements to come; the largest so far: both 0 in a mesh that is not in parts
 } Import;
 
 void import_begin(Import *im, Scan *s);
@@ -73,6 +75,12 @@ void import_element(Import *im, ElemType type, int entity, int physical);
 static inline void import_element_node(Import *im, uint64_t tag) { vec_push(&im->node, import_find(im, tag)); }
 // Room for the nodes of n elements to come in this run, at the returned address.
 uint32_t *import_elements(Import *im, ElemType type, int entity, int physical, size_t n);
+
+// Take back what the last import_elements began.
+void import_drop(Import *im);
+// The part of the elements to come (0: not told), of at most IMPORT_MAX_PARTS.
+enum { IMPORT_MAX_PARTS = 1000000 };
+void import_part(Import *im, int64_t part);
 
 // Describe an entity; valid until the next one. The caller may fill its box, groups and boundary.
 MeshEntity *import_entity(Import *im, int dim, int tag);

@@ -8,17 +8,7 @@
 
 #include <inttypes.h>
 
-#include "out/out_int.h"
-
-// Elements of one block as this version lists them.
-typedef struct {
-  const MeshBlock *block;
-  const MeshEntity *entity;
-  int copies;                      // how often each element is written
-  bool grouped;                    // physical tags are written
-  uint8_t reversed[ELEM_MAX_NODES];
-  int nodes;
-} Run;
+#include "out/msh2_int.h"
 
 static Run run_of(const Selection *s, uint32_t b)
 {
@@ -47,11 +37,6 @@ typedef struct {
   uint64_t number;
   bool binary;
 } Out;
-
-static int physical_of(const Run *r, int copy)
-{
-  return r->grouped ? r->entity->physical.data[copy] : 0;
-}
 
 static void count_run(void *ctx, const Run *r) { *(size_t *)ctx += r->block->n * (size_t)r->copies; }
 
@@ -109,6 +94,11 @@ static void write_run(void *ctx, const Run *r)
 {
   Out *o = ctx;
   size_t n = r->block->n * (size_t)r->copies;
+  if (o->s->parts && r->block->part) {
+    msh2_part__write_run(o->w, o->s, r, o->number, o->binary);
+    o->number += n;
+    return;
+  }
   const int32_t head[3] = {(int32_t)r->block->type, (int32_t)n, 2};
   if (o->binary) writer_bytes(o->w, head, sizeof head);
   writer_items(o->w, n, 22 * ((size_t)r->nodes + 5), o->binary ? put_binary_elements : put_elements,
@@ -130,7 +120,7 @@ static char *put_parameter(char *p, const Mesh *m, uint32_t node)
 static char *put_nodes(char *p, const void *ctx, size_t from, size_t to)
 {
   const Selection *s = ctx;
-  for (size_t k = from; k < to; k++) p = put_char(put_xyz(put_char(put_u64(p, k + s->node0), ' '), select__xyz(s, k)), '\n');
+  for (size_t k = from; k < to; k++) p = put_char(put_xyz(put_char(put_u64(p, s->number[s->node[k]] + s->node0), ' '), select__xyz(s, k)), '\n');
   return p;
 }
 
@@ -138,7 +128,7 @@ static char *put_parametric_nodes(char *p, const void *ctx, size_t from, size_t 
 {
   const Selection *s = ctx;
   for (size_t k = from; k < to; k++) {
-    p = put_xyz(put_char(put_u64(p, k + s->node0), ' '), select__xyz(s, k));
+    p = put_xyz(put_char(put_u64(p, s->number[s->node[k]] + s->node0), ' '), select__xyz(s, k));
     p = put_char(put_parameter(p, s->mesh, s->node[k]), '\n');
   }
   return p;
@@ -148,7 +138,7 @@ static char *put_binary_nodes(char *p, const void *ctx, size_t from, size_t to)
 {
   const Selection *s = ctx;
   for (size_t k = from; k < to; k++, p += 28) {
-    int32_t number = (int32_t)(k + s->node0);
+    int32_t number = (int32_t)(s->number[s->node[k]] + s->node0);
     Vec3 x = select__xyz(s, k);
     memcpy(p, &number, 4);
     memcpy(p + 4, &x, 24);

@@ -5,70 +5,7 @@
 // entity and type (elements); numbers are consecutive in both.
 #include "base/base.h"
 
-#include "out/out_int.h"
-
-// One number in either encoding. In ASCII every number is followed by a blank except where end_line follows.
-typedef struct {
-  Writer *w;
-  bool binary, first;
-} Enc;
-
-static void blank(Enc *e)
-{
-  if (!e->first) writer_char(e->w, ' ');
-  e->first = false;
-}
-
-static void put_int(Enc *e, int v)
-{
-  const int32_t b = v;
-  if (e->binary) {
-    writer_bytes(e->w, &b, sizeof b);
-    return;
-  }
-  blank(e);
-  writer_i64(e->w, v);
-}
-
-static void put_size(Enc *e, uint64_t v)
-{
-  if (e->binary) {
-    writer_bytes(e->w, &v, sizeof v);
-    return;
-  }
-  blank(e);
-  writer_u64(e->w, v);
-}
-
-static void put_real(Enc *e, double v)
-{
-  if (e->binary) {
-    writer_bytes(e->w, &v, sizeof v);
-    return;
-  }
-  blank(e);
-  writer_double(e->w, v);
-}
-
-static void put_vec(Enc *e, Vec3 v)
-{
-  put_real(e, v.x);
-  put_real(e, v.y);
-  put_real(e, v.z);
-}
-
-static void end_line(Enc *e)
-{
-  if (!e->binary) writer_char(e->w, '\n');
-  e->first = true;
-}
-
-static void put_tags(Enc *e, const IntVec *a, const IntVec *b, int offset)
-{
-  put_size(e, a->len + (b ? b->len : 0));
-  for (size_t i = 0; i < a->len; i++) put_int(e, a->data[i]);
-  for (size_t i = 0; b && i < b->len; i++) put_int(e, b->data[i] + offset);
-}
+#include "out/msh4_int.h"
 
 static void write_entity(Enc *e, const Selection *s, const MeshEntity *t, int largest_curve)
 {
@@ -89,6 +26,7 @@ static void write_entities(Enc *e, const Selection *s)
   size_t count[3] = {0, 0, 0};
   int largest_curve = 0;
   for (size_t i = 0; i < m->nentity; i++) {
+    if (m->entity[i].parts.len) continue;
     count[m->entity[i].dim]++;
     if (m->entity[i].dim == 1) largest_curve = MAX(largest_curve, m->entity[i].tag);
   }
@@ -96,7 +34,8 @@ static void write_entities(Enc *e, const Selection *s)
   for (int d = 0; d < 3; d++) put_size(e, count[d]);
   put_size(e, 0);
   end_line(e);
-  for (size_t i = 0; i < m->nentity; i++) write_entity(e, s, &m->entity[i], largest_curve);
+  for (size_t i = 0; i < m->nentity; i++)
+    if (!m->entity[i].parts.len) write_entity(e, s, &m->entity[i], largest_curve);
   writer_str(e->w, e->binary ? "\n$EndEntities\n" : "$EndEntities\n");
 }
 
@@ -107,10 +46,12 @@ typedef struct {
   bool parameter;
 } NodeItems;
 
+static uint64_t number_of(const NodeItems *t, size_t k) { return t->s->number[t->s->node[t->from + k]] + t->s->node0; }
+
 static char *put_numbers(char *p, const void *ctx, size_t from, size_t to)
 {
   const NodeItems *t = ctx;
-  for (size_t k = from; k < to; k++) p = put_char(put_u64(p, t->s->node0 + t->from + k), '\n');
+  for (size_t k = from; k < to; k++) p = put_char(put_u64(p, number_of(t, k)), '\n');
   return p;
 }
 
@@ -118,7 +59,7 @@ static char *put_binary_numbers(char *p, const void *ctx, size_t from, size_t to
 {
   const NodeItems *t = ctx;
   for (size_t k = from; k < to; k++, p += 8) {
-    uint64_t tag = t->s->node0 + t->from + k;
+    uint64_t tag = number_of(t, k);
     memcpy(p, &tag, 8);
   }
   return p;
@@ -163,6 +104,16 @@ static void write_node_block(Enc *e, const Selection *s, size_t from, size_t to,
   writer_items(e->w, to - from, 4 * NUMBER_MAX_TEXT, e->binary ? put_binary_places : put_places, &items);
 }
 
+// Least and largest number of a node and of an element; they have gaps in a file of one part.
+static void node_range(const Selection *s, uint64_t range[2])
+{
+  range[0] = range[1] = s->number[s->node[0]];
+  for (size_t k = 0; k < s->nnode; k++) {
+    range[0] = MIN(range[0], s->number[s->node[k]]);
+    range[1] = MAX(range[1], s->number[s->node[k]]);
+  }
+}
+
 static void write_nodes(Enc *e, const Selection *s, bool parametric)
 {
   const uint32_t *owner = s->mesh->node_entity;
@@ -171,8 +122,10 @@ static void write_nodes(Enc *e, const Selection *s, bool parametric)
   writer_str(e->w, "$Nodes\n");
   put_size(e, blocks);
   put_size(e, s->nnode);
-  put_size(e, s->node0);
-  put_size(e, s->node0 + s->nnode - 1);
+  uint64_t range[2];
+  node_range(s, range);
+  put_size(e, s->node0 + range[0]);
+  put_size(e, s->node0 + range[1]);
   end_line(e);
   for (size_t from = 0, to; from < s->nnode; from = to) {
     for (to = from + 1; to < s->nnode && owner[s->node[to]] == owner[s->node[from]];) to++;
@@ -222,7 +175,7 @@ static char *put_binary_elements(char *p, const void *ctx, size_t from, size_t t
                                      : put_records(p, t, from, to, (size_t)elem_nodes(t->block->type));
 }
 
-static void write_block(Enc *e, const Selection *s, const MeshBlock *k, uint64_t number)
+static void write_block_head(Enc *e, const Selection *s, const MeshBlock *k)
 {
   const MeshEntity *t = &s->mesh->entity[k->entity];
   put_int(e, t->dim);
@@ -230,21 +183,66 @@ static void write_block(Enc *e, const Selection *s, const MeshBlock *k, uint64_t
   put_int(e, (int)k->type);
   put_size(e, k->n);
   end_line(e);
+}
+
+static void write_block(Enc *e, const Selection *s, const MeshBlock *k, uint64_t number)
+{
+  write_block_head(e, s, k);
   writer_items(e->w, k->n, 22 * ((size_t)elem_nodes(k->type) + 2), e->binary ? put_binary_elements : put_elements,
                &(ElementItems){s, k, number});
 }
 
+// Ghost cells have the numbers they have elsewhere.
+static void write_ghost_block(Enc *e, const Selection *s, const MeshBlock *k, const uint64_t *number)
+{
+  size_t nodes = (size_t)elem_nodes(k->type);
+  write_block_head(e, s, k);
+  for (size_t i = 0; i < k->n; i++) {
+    put_size(e, number[i] + s->elem0);
+    for (size_t j = 0; j < nodes; j++) put_size(e, s->number[k->node[i * nodes + j]] + s->node0);
+    end_line(e);
+  }
+}
+
+static void element_range(const Selection *s, uint64_t range[2])
+{
+  const PartFile *p = s->parts;
+  range[0] = 0;
+  range[1] = s->nelem - 1;
+  if (!p || !p->first) return;
+  const uint64_t *ghost = p->ghost_number;
+  range[0] = UINT64_MAX;
+  range[1] = 0;
+  for (size_t i = 0; i < s->nblock; i++) {
+    size_t n = s->mesh->block[s->block[i]].n;
+    bool ghosts = p->first[i] == UINT64_MAX;
+    for (size_t k = 0; k < n; k += ghosts ? 1 : MAX(n - 1, (size_t)1)) {
+      uint64_t number = ghosts ? *ghost++ : p->first[i] + k;
+      range[0] = MIN(range[0], number);
+      range[1] = MAX(range[1], number);
+    }
+  }
+}
+
 static void write_elements(Enc *e, const Selection *s)
 {
+  uint64_t range[2], number = s->elem0;
+  const uint64_t *first = s->parts ? s->parts->first : NULL, *ghost = first ? s->parts->ghost_number : NULL;
+  element_range(s, range);
   writer_str(e->w, "$Elements\n");
   put_size(e, s->nblock);
   put_size(e, s->nelem);
-  put_size(e, s->elem0);
-  put_size(e, s->elem0 + s->nelem - 1);
+  put_size(e, s->elem0 + range[0]);
+  put_size(e, s->elem0 + range[1]);
   end_line(e);
-  uint64_t number = s->elem0;
   for (size_t i = 0; i < s->nblock; i++) {
     const MeshBlock *k = &s->mesh->block[s->block[i]];
+    if (first && first[i] == UINT64_MAX) {
+      write_ghost_block(e, s, k, ghost);
+      ghost += k->n;
+      continue;
+    }
+    if (first) number = s->elem0 + first[i];
     write_block(e, s, k, number);
     number += k->n;
   }
@@ -310,8 +308,10 @@ void msh4__write(Writer *w, const Selection *s, const OutOptions *o)
   msh__write_format(w, "4.1", o);
   msh__write_names(w, s->mesh);
   write_entities(&e, s);
+  if (s->parts) msh4_part__write_entities(&e, s);
   if (s->nnode) write_nodes(&e, s, o->save_parametric);
   if (s->nelem) write_elements(&e, s);
   write_periodic(&e, s);
-  if (o->cell_data) write_element_data(w, s, o);
+  if (s->parts) msh4_part__write_ghosts(&e, s);
+  if (o->cell_data && !(s->parts && s->parts->part)) write_element_data(w, s, o);
 }

@@ -4,12 +4,28 @@
 
 #include <math.h>
 
+#include "mesh/mesh_join.h"
 #include "out/import.h"
 #include "out/out_int.h"
+
+// An entity of some parts of the mesh. What is on it goes to its parent, but for what is not the mesh's own: ghost cells, and what lies
+// between parts.
+typedef struct {
+  int parent_dim, parent_tag;
+  uint32_t part;
+  bool foreign, ghosts;
+} Piece;
+
+typedef struct {
+  size_t first, n;
+} NodeRange;
 
 typedef struct {
   Scan *s;
   Import im;
+  Map pieces;        // piece_key -> index in piece
+  Vec(Piece) piece;
+  Vec(NodeRange) doubtful; // nodes on ghost cells: they stay if other elements have them
   int version;       // 100 times the version: 100, 200, 220, 400, 410
   bool nodes_seen;
 } Reader;
@@ -183,12 +199,21 @@ static void add_element2(Reader *r, int type, int64_t physical, int64_t entity)
   import_element(&r->im, (ElemType)type, (int)entity, (int)physical);
 }
 
+// The tags beyond group and entity: how many parts, the element's own, and those that see it as a ghost cell; before 2.2 the part alone.
+static void set_part2(Reader *r, const int64_t tag[4], int64_t ntags)
+{
+  if (r->version < 220)
+    import_part(&r->im, ntags >= 3 ? tag[2] : 0);
+  else
+    import_part(&r->im, ntags >= 4 && tag[2] > 0 ? tag[3] : 0);
+}
+
 static void read_ascii_element(Reader *r)
 {
   Scan *s = r->s;
   scan_i64(s, "an element number");
   int type = (int)scan_range(s, 1, 200, "element type"), n = nodes_of_type(r, type);
-  int64_t tag[2] = {0, 0};
+  int64_t tag[4] = {0, 0, 0, 0};
   if (r->version == 100) {
     tag[0] = scan_i64(s, "a group");
     tag[1] = scan_i64(s, "an entity");
@@ -197,8 +222,9 @@ static void read_ascii_element(Reader *r)
     int64_t ntags = scan_range(s, 0, 1000, "number of tags");
     for (int64_t k = 0; k < ntags; k++) {
       int64_t t = scan_i64(s, "a tag");
-      if (k < 2) tag[k] = t;
+      if (k < 4) tag[k] = t;
     }
+    set_part2(r, tag, ntags);
   }
   if (s->failed) return;
   if (volume_nodes(type)) {
@@ -225,12 +251,13 @@ static void read_binary_elements(Reader *r, size_t n)
     size_t size = (1 + (size_t)ntags + (size_t)nodes) * 4;
     scan_count(s, count, size, "elements");
     for (int32_t i = 0; i < count && !s->failed; i++) {
-      int32_t tag[2] = {0, 0};
+      int64_t tag[4] = {0, 0, 0, 0};
       scan_b32(s, "an element number");
       for (int32_t k = 0; k < ntags; k++) {
         int32_t t = scan_b32(s, "a tag");
-        if (k < 2) tag[k] = t;
+        if (k < 4) tag[k] = t;
       }
+      set_part2(r, tag, ntags);
       if (volume_nodes(type)) {
         scan_bytes(s, 4 * (size_t)nodes, "an element");
         r->im.volumes++;
@@ -306,6 +333,65 @@ static void read_entities(Reader *r)
     for (size_t i = 0; i < count[dim] && !r->s->failed; i++) read_entity(r, dim, &largest_curve);
 }
 
+static uint64_t piece_key(int dim, int tag) { return (uint64_t)dim << 32 | (uint32_t)tag; }
+
+// The piece that an entity is, or NULL.
+static const Piece *find_piece(const Reader *r, int dim, int tag)
+{
+  uint32_t i = r->piece.len ? map_get(&r->pieces, piece_key(dim, tag)) : NONE;
+  return i == NONE ? NULL : &r->piece.data[i];
+}
+
+static void add_piece(Reader *r, int dim, int tag, Piece p)
+{
+  bool added;
+  map_slot(&r->pieces, piece_key(dim, tag), (uint32_t)r->piece.len, &added);
+  if (!added) scan_error(r->s, "entity %d of dimension %d is defined twice", tag, dim);
+  vec_push(&r->piece, p);
+}
+
+static void read_piece(Reader *r, int dim)
+{
+  IntVec part = {0}, ignored = {0};
+  int tag = get_int(r, "an entity tag");
+  Piece p = {.parent_dim = get_int(r, "a dimension")};
+  p.parent_tag = get_int(r, "an entity tag");
+  get_tags(r, &part, true, "a part");
+  get_point(r);
+  if (dim || r->version == 400) get_point(r);
+  get_tags(r, &ignored, false, "a group tag");
+  if (dim) get_tags(r, &ignored, false, "a boundary tag");
+  if (part.len) import_part(&r->im, part.data[0]);
+  p.part = r->im.part;
+  p.foreign = p.parent_dim != dim || !part.len;
+  if (!r->s->failed) add_piece(r, dim, tag, p);
+  vec_free(&part);
+}
+
+static void read_pieces(Reader *r)
+{
+  size_t count[4];
+  import_part(&r->im, get_size(r, "the number of parts"));
+  size_t ghosts = get_count(r, 4, 8, "ghost entities");
+  IntVec ghost = {0};
+  for (size_t i = 0; i < ghosts && !r->s->failed; i++) {
+    vec_push(&ghost, get_int(r, "an entity tag"));
+    get_int(r, "a part");
+  }
+  for (int dim = 0; dim < 4; dim++) count[dim] = get_count(r, 8, 40, "entities");
+  for (int dim = 0; dim < 4; dim++)
+    for (size_t i = 0; i < count[dim] && !r->s->failed; i++) read_piece(r, dim);
+  // Ghost entities are told by their tags alone: they are of the largest dimension that has elements, and named after all others.
+  for (size_t i = 0; i < ghost.len && !r->s->failed; i++)
+    for (int dim = count[3] ? 3 : count[2] ? 2 : 1; dim >= 1; dim--)
+      if (!find_piece(r, dim, ghost.data[i])) {
+        add_piece(r, dim, ghost.data[i], (Piece){.parent_dim = -1, .foreign = true, .ghosts = true});
+        break;
+      }
+  vec_free(&ghost);
+  import_part(&r->im, 0);
+}
+
 // Header of a block: entity, a number that says what the block is of, count.
 typedef struct {
   int dim, tag, kind;
@@ -325,14 +411,21 @@ static BlockHead read_head(Reader *r, size_t text, size_t bytes, const char *wha
   return h;
 }
 
-// Place of a node's entity as import_node wants it: nodes in volumes are on no entity known here.
-static int owner_dim(const BlockHead *h) { return h->dim <= 2 ? h->dim : -1; }
+// Place of the nodes' entity as import_node wants it: nodes in volumes are on no entity known here.
+static void set_owner(Reader *r, BlockHead *h, int *dim, int *tag)
+{
+  const Piece *p = find_piece(r, h->dim, h->tag);
+  *dim = p ? p->parent_dim : h->dim;
+  *tag = p ? p->parent_tag : h->tag;
+  if (*dim > 2) *dim = -1;
+  if (p && p->ghosts) vec_push(&r->doubtful, ((NodeRange){r->im.mesh->nnode, h->n}));
+}
 
-static void read_node_block41(Reader *r, const BlockHead *h)
+static void read_node_block41(Reader *r, const BlockHead *h, int dim, int entity)
 {
   Scan *s = r->s;
   int extra = h->kind ? h->dim : 0;
-  if (!extra && msh__bulk_nodes(&r->im, h->n, owner_dim(h), h->tag)) return;
+  if (!extra && msh__bulk_nodes(&r->im, h->n, dim, entity)) return;
   Scan tags = *s; // the numbers come before the coordinates, and mostly one by one
   uint64_t first = 0;
   bool dense = true;
@@ -349,7 +442,7 @@ static void read_node_block41(Reader *r, const BlockHead *h)
       double v = get_double(r, "a parameter");
       if (k == 0 && h->dim == 1) u = v;
     }
-    import_node(&r->im, tag, x, owner_dim(h), h->tag, u);
+    import_node(&r->im, tag, x, dim, entity, u);
   }
 }
 
@@ -364,8 +457,10 @@ static void read_nodes4(Reader *r)
   import_reserve_nodes(&r->im, total);
   for (size_t b = 0; b < blocks && !s->failed; b++) {
     BlockHead h = read_head(r, 8, r->version == 410 ? 32 : 28, "nodes");
+    int dim, entity;
+    set_owner(r, &h, &dim, &entity);
     if (r->version == 410) {
-      read_node_block41(r, &h);
+      read_node_block41(r, &h, dim, entity);
       continue;
     }
     for (size_t i = 0; i < h.n && !s->failed; i++) {
@@ -376,7 +471,7 @@ static void read_nodes4(Reader *r)
         double v = get_double(r, "a parameter");
         if (k == 0 && h.dim == 1) u = v;
       }
-      import_node(&r->im, (uint64_t)tag, x, owner_dim(&h), h.tag, u);
+      import_node(&r->im, (uint64_t)tag, x, dim, entity, u);
     }
   }
   if (!s->failed && r->im.mesh->nnode != total)
@@ -409,9 +504,11 @@ static void read_element_block(Reader *r, const BlockHead *h)
     return;
   }
   if (!s->binary && scan_count(s, (int64_t)h->n, 2 * (1 + (size_t)nodes), "elements") != h->n) return;
-  uint32_t *to = import_elements(&r->im, (ElemType)h->kind, h->tag, 0, h->n);
-  if (wide && msh__bulk_elements(&r->im, h->n, (size_t)nodes, to)) return;
-  for (size_t i = 0; i < h->n && !s->failed; i++) {
+  const Piece *piece = find_piece(r, h->dim, h->tag);
+  import_part(&r->im, piece ? piece->part : 0);
+  uint32_t *to = import_elements(&r->im, (ElemType)h->kind, piece ? piece->parent_tag : h->tag, 0, h->n);
+  bool done = wide && msh__bulk_elements(&r->im, h->n, (size_t)nodes, to);
+  for (size_t i = 0; !done && i < h->n && !s->failed; i++) {
     if (!s->binary)
       scan_i64(s, "an element number");
     else if (wide)
@@ -423,6 +520,7 @@ static void read_element_block(Reader *r, const BlockHead *h)
       *to++ = import_find(&r->im, tag);
     }
   }
+  if (piece && piece->foreign) import_drop(&r->im);
 }
 
 static void read_elements4(Reader *r)
@@ -486,6 +584,8 @@ static void read_section(Reader *r, const char *name)
     read_names(r);
   } else if (strcmp(name, "Entities") == 0 && v4) {
     read_entities(r);
+  } else if (strcmp(name, "PartitionedEntities") == 0 && v4) {
+    read_pieces(r);
   } else if (strcmp(name, "Nodes") == 0 || strcmp(name, "NOD") == 0 || strcmp(name, "ParametricNodes") == 0) {
     if (known_nodes) scan_error(r->s, "a second section $%s", name);
     r->nodes_seen = true;
@@ -520,6 +620,36 @@ static bool next_section(Scan *s, char *name, size_t cap)
   return found;
 }
 
+// Groups of parts are named after them, and mean nothing once the parts' entities are gone.
+static void drop_part_groups(Mesh *m)
+{
+  size_t kept = 0;
+  for (size_t g = 0; g < m->ngroup; g++)
+    if (m->group[g].name && strncmp(m->group[g].name, "_part{", 6) == 0)
+      free(m->group[g].name);
+    else
+      m->group[kept++] = m->group[g];
+  m->ngroup = kept;
+}
+
+// Without the nodes that only ghost cells had.
+static Mesh *finish(Reader *r)
+{
+  Mesh *m = import_finish(&r->im);
+  if (m && r->piece.len) drop_part_groups(m);
+  if (m && r->doubtful.len) {
+    bool *doubtful = mem_zalloc(m->nnode * sizeof *doubtful);
+    for (size_t i = 0; i < r->doubtful.len; i++)
+      memset(doubtful + r->doubtful.data[i].first, true, r->doubtful.data[i].n * sizeof *doubtful);
+    mesh_drop_unused(m, doubtful);
+    free(doubtful);
+  }
+  map_free(&r->pieces);
+  vec_free(&r->piece);
+  vec_free(&r->doubtful);
+  return m;
+}
+
 Mesh *msh__read(Scan s)
 {
   Reader r = {.s = &s};
@@ -536,5 +666,5 @@ Mesh *msh__read(Scan s)
     read_end(&r, section);
   }
   if (!s.failed && !r.version) scan_error(&s, "this is no MSH file: neither $MeshFormat nor $NOD");
-  return import_finish(&r.im);
+  return finish(&r);
 }

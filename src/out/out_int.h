@@ -10,9 +10,21 @@
 #include "base/number.h"
 #include "mesh/element.h"
 #include "mesh/mesh.h"
+#include "mesh/part_nodes.h"
 #include "out/formats.h"
 #include "out/import.h"
 #include "out/scan.h"
+
+// What the MSH formats add where a mesh is in parts (parts.c).
+typedef struct {
+  uint32_t nparts, part;  // part: the one a file is for; 0: all
+  const Ghosts *ghosts;   // of the elements written, on the blocks of the mesh; NULL: none
+  int ghost_tag;          // of the entity of ghost cells of part 1; those of others follow
+  // Files of one part:
+  uint64_t *first;        // per saved block: the number of its first element less elem0; UINT64_MAX: ghost cells
+  uint64_t *ghost_number; // the numbers of the ghost cells less elem0, in their order
+  uint32_t *ghost_owner;  // and their parts
+} PartFile;
 
 // What of a mesh goes into a file (select.c).
 typedef struct {
@@ -26,11 +38,16 @@ typedef struct {
   size_t nblock, nelem;
   double scale;
   uint64_t node0, elem0; // first numbers
+  const PartFile *parts; // or NULL; in a file for one part, number[] is that in the whole mesh
 } Selection;
 
 // flags: FORMAT_ORPHANS keeps nodes of saved entities that no saved element uses, if everything is saved.
 void select__make(Selection *s, const Mesh *m, const OutOptions *o, unsigned flags);
 void select__free(Selection *s);
+
+// Write a selection as it is (formats.c), or a mesh in parts (parts.c).
+ExitCode format__write(const Format *f, const Selection *s, const char *path, const OutOptions *o, Diag *d);
+ExitCode parts__write(const Format *f, const Mesh *m, const char *path, const OutOptions *o, unsigned flags, Diag *d);
 
 enum {
   FORMAT_ORPHANS = 1,  // writes nodes that no element uses, when everything is saved

@@ -54,21 +54,26 @@ static void draw(Writer *w, CanvasKind kind, const Selection *s, const OutOption
   p.canvas = canvas_open(w, kind, p.width, p.height);
   Scale scale = picture__scale_of(&p);
   if (picture__has_window(&p)) canvas_clip(p.canvas, p.left, p.top, p.w, p.h);
-  if (!o->color)
-    picture__fill_by_group(&p);
-  else
+  bool by_part = o->color == COLOR_BY_PART && p.mesh->nparts, by_measure = o->color > 0;
+  if (by_measure)
     picture__fill_by_measure(&p, &scale);
+  else if (by_part)
+    picture__fill_by_part(&p);
+  else
+    picture__fill_by_group(&p);
   picture__draw_edges(&p);
+  if (by_part) picture__draw_seams(&p);
   picture__draw_curves(&p);
-  if (!o->color && o->histogram) {
+  if (!by_measure && o->histogram) {
     DoubleVec value = picture__measure(p.mesh, &scale);
     vec_free(&value);
   }
   if (o->mark_worst) mark_worst(&p, scale.what);
   if (picture__has_window(&p)) canvas_end_clip(p.canvas);
   picture__legend_title(&p);
-  if (o->color || o->histogram) picture__draw_histogram(&p, &scale);
-  if (!o->color) picture__legend_groups(&p, 2, "Faces", picture__face_colors, ARRAY_LEN(picture__face_colors));
+  if (by_measure || o->histogram) picture__draw_histogram(&p, &scale);
+  if (by_part) picture__legend_parts(&p);
+  if (!by_measure && !by_part) picture__legend_groups(&p, 2, "Faces", picture__face_colors, ARRAY_LEN(picture__face_colors));
   picture__legend_groups(&p, 1, "Boundaries", picture__line_colors, ARRAY_LEN(picture__line_colors));
   canvas_close(p.canvas);
   mesh_edges_free(&p.edges);

@@ -57,6 +57,11 @@ void picture__fill_by_measure(Picture *p, Scale *s);
 void picture__draw_edges(Picture *p);
 void picture__draw_curves(Picture *p);
 
+// picture_parts.c: parts in colours that differ between neighbours, the edges between them, and their names
+void picture__fill_by_part(Picture *p);
+void picture__draw_seams(Picture *p);
+void picture__legend_parts(Picture *p);
+
 // picture_legend.c: lines and boxes at p->y, which moves down
 void picture__legend_text(Picture *p, Color c, double size, bool bold, const char *text);
 void picture__print_count(char *to, size_t cap, size_t n, const char *what);

@@ -249,7 +249,7 @@ Scale picture__scale_of(const Picture *p)
     if (elem_corners(p->mesh->block[b].type) == 4) quads += p->mesh->block[b].n;
     if (elem_corners(p->mesh->block[b].type) == 3) triangles += p->mesh->block[b].n;
   }
-  Measure what = p->o->color ? (Measure)(p->o->color - 1) : MEASURE_GAMMA;
+  Measure what = p->o->color > 0 ? (Measure)(p->o->color - 1) : MEASURE_GAMMA;
   if (what == MEASURE_GAMMA && quads && !triangles) what = MEASURE_ETA; // which is what gamma is of quadrangles
   return (Scale){.what = what, .name = titles[what], .largest = what != MEASURE_ANGLE ? 1 : quads ? 90 : 60};
 }

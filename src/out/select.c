@@ -46,7 +46,7 @@ void select__make(Selection *s, const Mesh *m, const OutOptions *o, unsigned fla
   s->elem0 = o->first_element ? o->first_element : 1;
   s->grouped = !o->save_all && mesh_is_grouped(m);
   s->entity = mem_alloc(m->nentity * sizeof *s->entity);
-  for (size_t e = 0; e < m->nentity; e++) s->entity[e] = !s->grouped || m->entity[e].physical.len > 0;
+  for (size_t e = 0; e < m->nentity; e++) s->entity[e] = !s->grouped || m->entity[e].physical.len > 0 || m->entity[e].saved;
   s->block = mem_alloc(m->nblock * sizeof *s->block);
   for (size_t b = 0; b < m->nblock; b++)
     if (s->entity[m->block[b].entity] && m->block[b].n && elem_dim(m->block[b].type) >= least) {
@@ -91,7 +91,11 @@ void out_warn_dropped(const Mesh *m, const OutOptions *o, Diag *d)
                  entities > 1 ? " and others are" : " is", kind[dim]);
 }
 
-int select__tag(const MeshEntity *e, const OutOptions *o) { return o->element_tag == 2 ? select__physical(e) : e->tag; }
+int select__tag(const MeshEntity *e, const OutOptions *o)
+{
+  if (o->element_tag == 3) return e->parts.len ? e->parts.data[0] : 0;
+  return o->element_tag == 2 ? select__physical(e) : e->tag;
+}
 
 bool select__not_flat(const Selection *s)
 {

@@ -168,6 +168,21 @@ static int group_value(const Mesh *m, const MeshBlock *k)
 
 static int entity_value(const Mesh *m, const MeshBlock *k) { return m->entity[k->entity].tag; }
 
+static void write_part_numbers(Writer *w, const Selection *s, bool binary)
+{
+  writer_str(w, "SCALARS partition int 1\nLOOKUP_TABLE default\n");
+  for (size_t i = 0; i < s->nblock; i++) {
+    const MeshBlock *k = &s->mesh->block[s->block[i]];
+    for (size_t j = 0; j < k->n; j++) {
+      char *p0 = writer_reserve(w, 32), *p = p0;
+      uint32_t b = __builtin_bswap32(k->part[j]);
+      p = binary ? (char *)memcpy(p, &b, sizeof b) + sizeof b : put_char(put_u64(p, k->part[j]), '\n');
+      writer_commit(w, (size_t)(p - p0));
+    }
+  }
+  if (binary) writer_char(w, '\n');
+}
+
 static void write_measure(Writer *w, const Selection *s, bool binary, Measure what)
 {
   double *value = cell_data__values(s, what);
@@ -205,5 +220,6 @@ void vtk__write(Writer *w, const Selection *s, const OutOptions *o)
   }
   writer_str(w, "SCALARS GeometricalEntityIds int 1\nLOOKUP_TABLE default\n");
   write_per_block(w, s, o->binary, entity_value);
+  if (s->mesh->nparts) write_part_numbers(w, s, o->binary);
   for (Measure what = 0; cell_data__next(o, &what); what++) write_measure(w, s, o->binary, what);
 }

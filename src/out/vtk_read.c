@@ -179,6 +179,9 @@ static void read_attribute(Reader *r, const char *name, size_t components, size_
   } else if (kind == 2) {
     vec_resize(&r->c.entity, n);
     to = r->c.entity.data;
+  } else if (kind == 3) {
+    vec_resize(&r->c.part, n);
+    to = r->c.part.data;
   }
   read_array(r, n, t, to, NULL);
 }

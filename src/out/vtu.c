@@ -110,6 +110,18 @@ static void append_tags(Bytes *out, const Selection *s, int which)
   free(tag);
 }
 
+static void append_parts(Bytes *out, const Selection *s)
+{
+  int32_t *part = mem_alloc(s->nelem * sizeof *part);
+  size_t n = 0;
+  for (size_t i = 0; i < s->nblock; i++) {
+    const MeshBlock *k = &s->mesh->block[s->block[i]];
+    for (size_t j = 0; j < k->n; j++) part[n++] = (int32_t)k->part[j];
+  }
+  append_array(out, part, n * sizeof *part);
+  free(part);
+}
+
 static void write_fields(Writer *w, const Mesh *m)
 {
   bool any = false;
@@ -152,6 +164,11 @@ void vtu__write(Writer *w, const Selection *s, const OutOptions *o)
   at = data.len;
   append_tags(&data, s, -1);
   declare(w, "Int32", "GeometricalEntityIds", 1, at);
+  if (s->mesh->nparts) {
+    at = data.len;
+    append_parts(&data, s);
+    declare(w, "Int32", "partition", 1, at);
+  }
   for (Measure what = 0; cell_data__next(o, &what); what++) {
     double *value = cell_data__values(s, what);
     at = data.len;

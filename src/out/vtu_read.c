@@ -296,6 +296,8 @@ static void read_data_array(Reader *r, const Tag *t, const Tag *within)
     read_array(r, t, AS_INTS(&r->c.group), NULL);
   else if (tag_is(within, "CellData") && cells_array_kind(n) == 2 && !r->c.entity.len)
     read_array(r, t, AS_INTS(&r->c.entity), NULL);
+  else if (tag_is(within, "CellData") && cells_array_kind(n) == 3 && !r->c.part.len)
+    read_array(r, t, AS_INTS(&r->c.part), NULL);
   else if (tag_is(within, "CellData") && strncmp(n, "CellEntityIds", 13) == 0 && n[13] >= '2' && n[13] <= '9' && !n[14])
     read_array(r, t, AS_INTS(&r->more[n[13] - '2']), NULL);
   else if (tag_is(within, "FieldData")) {
@@ -352,6 +354,7 @@ static void import_more(Reader *r, Cells *copy, size_t which)
     vec_push(&copy->type, r->c.type.data[i]);
     vec_push(&copy->group, more->data[i]);
     vec_push(&copy->entity, i < r->c.entity.len ? r->c.entity.data[i] : 0);
+    if (i < r->c.part.len) vec_push(&copy->part, r->c.part.data[i]);
   }
 }
 

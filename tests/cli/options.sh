@@ -117,13 +117,11 @@ changes Geometry.AutoCoherence=0 msh touching.geo
 for o in Mesh.QuasiTransfinite=1 Mesh.AnisoMax=5 Mesh.RefineSteps=3 Mesh.RandomFactor=0.1 Mesh.RandomSeed=7 Mesh.MeshOnlyVisible=1 \
   Mesh.MeshOnlyEmpty=1 Mesh.SaveTopology=1 Mesh.Renumber=0 Mesh.PreserveNumberingMsh2=1 Mesh.MaxRetries=3 Mesh.MaxElements=1e6 \
   Mesh.UnvStrictFormat=0 Mesh.BdfFieldFormat=0 Mesh.NbPartitions=1 Mesh.PartitionCreateTopology=0 Mesh.PartitionCreateGhostCells=1 \
-  Mesh.PartitionCreatePhysicals=0 Mesh.PartitionSplitMeshFiles=1 Geometry.OldCircle=1 Geometry.OldRuledSurface=1 \
+  Mesh.PartitionCreatePhysicals=0 Mesh.PartitionSplitMeshFiles=1 Mesh.PartitionOldStyleMsh2=0 Mesh.MetisAlgorithm=2 Geometry.OldCircle=1 Geometry.OldRuledSurface=1 \
   Geometry.ExactExtrusion=0 Geometry.FirstEntityTag=5 Geometry.FirstPhysicalTag=5 General.ExpertMode=1 General.Terminal=0 \
   General.AbortOnError=2 General.NoPopup=0 General.NumThreads=3 General.Verbosity=2; do
   keeps $o msh grouped.geo
 done
-exits 1 "partitions are refused" "$MESHGEN" -2 model.geo -part 4 -o p.msh
-says "cannot be partitioned" "partitions are refused: said"
 "$MESHGEN" -2 copies.geo -no_report -v 3 -o x.msh >one.txt && "$MESHGEN" -2 copies.geo -no_report -v 3 -o x.msh -setnumber Geometry.ExtrudeReturnLateralEntities 0 >two.txt
 if cmp -s one.txt two.txt; then not_ok "Geometry.ExtrudeReturnLateralEntities"; else ok "Geometry.ExtrudeReturnLateralEntities"; fi
 "$MESHGEN" -2 copies.geo -no_report -v 3 -o x.msh -setnumber Geometry.OldNewReg 0 >two.txt
