@@ -4,31 +4,7 @@
 
 #include <math.h>
 
-#include "mesh/mesh_join.h"
-#include "out/import.h"
-#include "out/out_int.h"
-
-// An entity of some parts of the mesh. What is on it goes to its parent, but for what is not the mesh's own: ghost cells, and what lies
-// between parts.
-typedef struct {
-  int parent_dim, parent_tag;
-  uint32_t part;
-  bool foreign, ghosts;
-} Piece;
-
-typedef struct {
-  size_t first, n;
-} NodeRange;
-
-typedef struct {
-  Scan *s;
-  Import im;
-  Map pieces;        // piece_key -> index in piece
-  Vec(Piece) piece;
-  Vec(NodeRange) doubtful; // nodes on ghost cells: they stay if other elements have them
-  int version;       // 100 times the version: 100, 200, 220, 400, 410
-  bool nodes_seen;
-} Reader;
+#include "out/msh_read_int.h"
 
 // Nodes of the types of dimension 3, which are skipped; 0 for others.
 static int volume_nodes(int type)
@@ -47,27 +23,6 @@ static int nodes_of_type(Reader *r, int type)
   if (!n) n = volume_nodes(type);
   if (!n) scan_error(r->s, "element type %d is not known here", type);
   return n;
-}
-
-// ---- numbers in either encoding ------------------------------------------------------------------------------------------
-static int get_int(Reader *r, const char *what) { return r->s->binary ? scan_b32(r->s, what) : scan_int(r->s, what); }
-static int64_t get_size(Reader *r, const char *what)
-{
-  return r->s->binary ? (int64_t)scan_b64(r->s, what) : scan_i64(r->s, what);
-}
-static double get_double(Reader *r, const char *what)
-{
-  return r->s->binary ? scan_bdouble(r->s, what) : scan_double(r->s, what);
-}
-static Vec3 get_point(Reader *r)
-{
-  double x = get_double(r, "a coordinate"), y = get_double(r, "a coordinate"), z = get_double(r, "a coordinate");
-  return (Vec3){x, y, z};
-}
-// A count of things of at least `text` bytes each in ASCII and `bytes` in binary.
-static size_t get_count(Reader *r, size_t text, size_t bytes, const char *what)
-{
-  return scan_count(r->s, get_size(r, "a count"), r->s->binary ? bytes : text, what);
 }
 
 // ---- sections common to the versions ----------------------------------------------------------------------------------------
@@ -286,15 +241,6 @@ static void read_elements2(Reader *r)
 }
 
 // ---- MSH 4 ----------------------------------------------------------------------------------------------------------------------
-static void get_tags(Reader *r, IntVec *to, bool keep, const char *what)
-{
-  size_t n = get_count(r, 2, 4, what);
-  for (size_t i = 0; i < n && !r->s->failed; i++) {
-    int tag = get_int(r, what);
-    if (keep && tag) vec_push(to, tag);
-  }
-}
-
 // Boundary of a face: signed curves; tags beyond the largest curve are embedded curves, raised by it.
 static void part_embedded(MeshEntity *e, int largest_curve)
 {
@@ -333,65 +279,6 @@ static void read_entities(Reader *r)
     for (size_t i = 0; i < count[dim] && !r->s->failed; i++) read_entity(r, dim, &largest_curve);
 }
 
-static uint64_t piece_key(int dim, int tag) { return (uint64_t)dim << 32 | (uint32_t)tag; }
-
-// The piece that an entity is, or NULL.
-static const Piece *find_piece(const Reader *r, int dim, int tag)
-{
-  uint32_t i = r->piece.len ? map_get(&r->pieces, piece_key(dim, tag)) : NONE;
-  return i == NONE ? NULL : &r->piece.data[i];
-}
-
-static void add_piece(Reader *r, int dim, int tag, Piece p)
-{
-  bool added;
-  map_slot(&r->pieces, piece_key(dim, tag), (uint32_t)r->piece.len, &added);
-  if (!added) scan_error(r->s, "entity %d of dimension %d is defined twice", tag, dim);
-  vec_push(&r->piece, p);
-}
-
-static void read_piece(Reader *r, int dim)
-{
-  IntVec part = {0}, ignored = {0};
-  int tag = get_int(r, "an entity tag");
-  Piece p = {.parent_dim = get_int(r, "a dimension")};
-  p.parent_tag = get_int(r, "an entity tag");
-  get_tags(r, &part, true, "a part");
-  get_point(r);
-  if (dim || r->version == 400) get_point(r);
-  get_tags(r, &ignored, false, "a group tag");
-  if (dim) get_tags(r, &ignored, false, "a boundary tag");
-  if (part.len) import_part(&r->im, part.data[0]);
-  p.part = r->im.part;
-  p.foreign = p.parent_dim != dim || !part.len;
-  if (!r->s->failed) add_piece(r, dim, tag, p);
-  vec_free(&part);
-}
-
-static void read_pieces(Reader *r)
-{
-  size_t count[4];
-  import_part(&r->im, get_size(r, "the number of parts"));
-  size_t ghosts = get_count(r, 4, 8, "ghost entities");
-  IntVec ghost = {0};
-  for (size_t i = 0; i < ghosts && !r->s->failed; i++) {
-    vec_push(&ghost, get_int(r, "an entity tag"));
-    get_int(r, "a part");
-  }
-  for (int dim = 0; dim < 4; dim++) count[dim] = get_count(r, 8, 40, "entities");
-  for (int dim = 0; dim < 4; dim++)
-    for (size_t i = 0; i < count[dim] && !r->s->failed; i++) read_piece(r, dim);
-  // Ghost entities are told by their tags alone: they are of the largest dimension that has elements, and named after all others.
-  for (size_t i = 0; i < ghost.len && !r->s->failed; i++)
-    for (int dim = count[3] ? 3 : count[2] ? 2 : 1; dim >= 1; dim--)
-      if (!find_piece(r, dim, ghost.data[i])) {
-        add_piece(r, dim, ghost.data[i], (Piece){.parent_dim = -1, .foreign = true, .ghosts = true});
-        break;
-      }
-  vec_free(&ghost);
-  import_part(&r->im, 0);
-}
-
 // Header of a block: entity, a number that says what the block is of, count.
 typedef struct {
   int dim, tag, kind;
@@ -414,10 +301,10 @@ static BlockHead read_head(Reader *r, size_t text, size_t bytes, const char *wha
 // Place of the nodes' entity as import_node wants it: nodes in volumes are on no entity known here.
 static void set_owner(Reader *r, BlockHead *h, int *dim, int *tag)
 {
-  const Piece *p = find_piece(r, h->dim, h->tag);
+  const Piece *p = msh_pieces__find(r, h->dim, h->tag);
   *dim = p ? p->parent_dim : h->dim;
   *tag = p ? p->parent_tag : h->tag;
-  if (*dim > 2) *dim = -1;
+  if (*dim < 0 || *dim > 2) *dim = -1;
   if (p && p->ghosts) vec_push(&r->doubtful, ((NodeRange){r->im.mesh->nnode, h->n}));
 }
 
@@ -504,7 +391,7 @@ static void read_element_block(Reader *r, const BlockHead *h)
     return;
   }
   if (!s->binary && scan_count(s, (int64_t)h->n, 2 * (1 + (size_t)nodes), "elements") != h->n) return;
-  const Piece *piece = find_piece(r, h->dim, h->tag);
+  const Piece *piece = msh_pieces__find(r, h->dim, h->tag);
   import_part(&r->im, piece ? piece->part : 0);
   uint32_t *to = import_elements(&r->im, (ElemType)h->kind, piece ? piece->parent_tag : h->tag, 0, h->n);
   bool done = wide && msh__bulk_elements(&r->im, h->n, (size_t)nodes, to);
@@ -585,7 +472,7 @@ static void read_section(Reader *r, const char *name)
   } else if (strcmp(name, "Entities") == 0 && v4) {
     read_entities(r);
   } else if (strcmp(name, "PartitionedEntities") == 0 && v4) {
-    read_pieces(r);
+    msh_pieces__read(r);
   } else if (strcmp(name, "Nodes") == 0 || strcmp(name, "NOD") == 0 || strcmp(name, "ParametricNodes") == 0) {
     if (known_nodes) scan_error(r->s, "a second section $%s", name);
     r->nodes_seen = true;
@@ -620,36 +507,6 @@ static bool next_section(Scan *s, char *name, size_t cap)
   return found;
 }
 
-// Groups of parts are named after them, and mean nothing once the parts' entities are gone.
-static void drop_part_groups(Mesh *m)
-{
-  size_t kept = 0;
-  for (size_t g = 0; g < m->ngroup; g++)
-    if (m->group[g].name && strncmp(m->group[g].name, "_part{", 6) == 0)
-      free(m->group[g].name);
-    else
-      m->group[kept++] = m->group[g];
-  m->ngroup = kept;
-}
-
-// Without the nodes that only ghost cells had.
-static Mesh *finish(Reader *r)
-{
-  Mesh *m = import_finish(&r->im);
-  if (m && r->piece.len) drop_part_groups(m);
-  if (m && r->doubtful.len) {
-    bool *doubtful = mem_zalloc(m->nnode * sizeof *doubtful);
-    for (size_t i = 0; i < r->doubtful.len; i++)
-      memset(doubtful + r->doubtful.data[i].first, true, r->doubtful.data[i].n * sizeof *doubtful);
-    mesh_drop_unused(m, doubtful);
-    free(doubtful);
-  }
-  map_free(&r->pieces);
-  vec_free(&r->piece);
-  vec_free(&r->doubtful);
-  return m;
-}
-
 Mesh *msh__read(Scan s)
 {
   Reader r = {.s = &s};
@@ -666,5 +523,5 @@ Mesh *msh__read(Scan s)
     read_end(&r, section);
   }
   if (!s.failed && !r.version) scan_error(&s, "this is no MSH file: neither $MeshFormat nor $NOD");
-  return finish(&r);
+  return msh_pieces__finish(&r);
 }
