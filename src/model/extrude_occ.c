@@ -79,7 +79,7 @@ static int sweep_point(Prism *j, int from)
 static Vec3 turned(const Affine *a, Vec3 v) { return vec3_sub(affine_apply(a, v), affine_apply(a, (Vec3){0, 0, 0})); }
 
 // What the copy is shaped like: an arc, or pieces of a spline; a line by its ends alone.
-static void copy_shape(Prism *j, const CurveShape *h, Curve *to)
+static void copy_shape(Prism *j, const CurveShape *h, bool smooth, Curve *to)
 {
   Arena *arena = &j->m->arena;
   if (h->kind == SHAPE_ARC) {
@@ -88,8 +88,9 @@ static void copy_shape(Prism *j, const CurveShape *h, Curve *to)
     return;
   }
   size_t n = (size_t)h->npiece * (size_t)(h->degree + 1);
-  Pieces p = {h->degree, h->npiece, arena_dup(arena, h->knot, ((size_t)h->npiece + 1) * sizeof *h->knot),
-              arena_dup(arena, h->control, n * sizeof *h->control)};
+  Pieces p = {.degree = h->degree, .npiece = h->npiece, .smooth = smooth,
+              .knot = arena_dup(arena, h->knot, ((size_t)h->npiece + 1) * sizeof *h->knot),
+              .control = arena_dup(arena, h->control, n * sizeof *h->control)};
   for (size_t i = 0; i < n; i++) p.control[i] = affine_apply(&j->full, p.control[i]);
   to->pieces = arena_dup(arena, &p, sizeof p);
 }
@@ -101,7 +102,7 @@ static int copy_curve(Prism *j, int tag)
   int end[2] = {image_of(j, 0, c->begin), image_of(j, 0, c->end)};
   const CurveShape *h = curve__build(m, c, j->diag) ? c->shape : NULL;
   Curve *to = curve__make(m, model__next_tag(m, KIND_CURVE), h ? c->type : CURVE_LINE, end, 2, end[0], end[1], j->loc);
-  if (h) copy_shape(j, h, to);
+  if (h) copy_shape(j, h, c->pieces && c->pieces->smooth, to);
   if (j->layers.n) {
     to->copy_of = tag;
     vec_push(&m->layered, to->tag);

@@ -169,6 +169,7 @@ Pieces *pieces__between(Model *m, const CurveShape *h, double a, double b)
   Pieces *p = arena_alloc(&m->arena, sizeof *p);
   p->degree = h->degree;
   p->npiece = i1 - i0 + 1;
+  p->smooth = false; // that is not looked into
   p->knot = arena_alloc(&m->arena, ((size_t)p->npiece + 1) * sizeof *p->knot);
   p->control = arena_alloc(&m->arena, (size_t)p->npiece * per * sizeof *p->control);
   for (int i = i0; i <= i1; i++) {

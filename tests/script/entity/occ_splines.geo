@@ -13,4 +13,9 @@ Bezier(4) = {1, 2, 3};
 b[] = BoundingBox Curve{4}; Printf("%g", b[4]);  // expect: 4
 Wire(9) = {1, 4};
 Plane Surface(9) = {9};
-// expect model: points 5, curves 3, loops 1, faces 1, volumes 0, groups 0
+Printf("%g %g %g", newp, newl, news);            // expect: 6 10 10
+Delete All;                                      // expect: [delete 0]
+Point(1) = {0, 0, 0}; Point(2) = {1, 1, 0}; Point(3) = {2, 0, 0}; Point(4) = {3, 1, 0}; Spline(1) = {1:4};
+o[] = Extrude {0, 0, 1} { Curve{1}; };           // the copy is a spline too
+b[] = BoundingBox Curve{o[0]}; Printf("%g %g %g", b[0], b[2], b[3]); // expect: 0 1 3
+// expect model: points 6, curves 4, loops 0, faces 1, volumes 0, groups 0
