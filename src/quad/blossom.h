@@ -30,6 +30,7 @@ typedef struct {
   uint64_t start_free;                      // vertices the start left unmatched: one for each odd cycle of a fractional optimum
   uint64_t grow, shrink, expand, augment;   // steps of the trees
   uint64_t swept;                           // vertices taken into a tree, summed over all growths
+  uint64_t region;                          // regions of tight edges taken into a tree
   uint64_t event, stale;                    // entries taken from the queue; those found out of date
   uint64_t settle;                          // vertices passed when free ones are brought together over tight edges
   uint64_t relabel;                         // vertices renamed by shrinking and expanding

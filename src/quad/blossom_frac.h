@@ -45,8 +45,5 @@ static inline void frac__match(const Frac *f, uint32_t a)
 
 // Match the vertices of the odd cycle through w, but w.
 void frac__open_cycle(const Frac *f, uint32_t w);
-// All vertices are idle: match free vertices as far as tight edges allow (and make odd cycles of some); duals stay. Nearly
-// maximal: a free vertex may be left that could have been matched.
-void frac__settle(Frac *f);
 
 #endif

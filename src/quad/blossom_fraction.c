@@ -6,11 +6,14 @@
 // blossoms here: outer and inner nodes are single vertices, and a tree that closes an odd cycle is done. Three means take turns:
 // small trees one by one, exchanges over tight edges (blossom_settle.c), and all trees at once.
 #include "base/base.h"
-#include "quad/blossom_frac.h"
+#include "quad/blossom_tight.h"
 
 // Trees one by one: they stop at FIRST_CAP vertices swept, CAP_FACTOR times more from round to round, while a round sweeps
 // no more than n. All at once: they stop at n.
 enum { FIRST_CAP = 64, CAP_FACTOR = 3 };
+
+// Of FEW vertices less than one is free.
+enum { FEW = 4096 };
 
 // ---- trees
 
@@ -250,19 +253,52 @@ static void round_alone(Frac *f, uint64_t cap)
     if (frac__is_free(&f->v[v])) grow_alone(f, v, cap);
 }
 
-// Until nothing is left, or a turn of all three changes nothing.
-static void solve(Frac *f)
+static uint32_t rounds_alone(Frac *f, uint32_t left)
 {
-  for (uint32_t left = count_free(f), before = NONE; left && left != before;) {
-    before = left;
-    for (uint64_t cap = FIRST_CAP; left && (cap == FIRST_CAP || left * cap <= f->n); cap *= CAP_FACTOR) {
-      round_alone(f, cap);
-      left = count_free(f);
-    }
-    frac__settle(f);
-    grow_together(f);
+  for (uint64_t cap = FIRST_CAP; left && (cap == FIRST_CAP || left * cap <= f->n); cap *= CAP_FACTOR) {
+    round_alone(f, cap);
     left = count_free(f);
   }
+  return left;
+}
+
+// Match what tight edges allow; in regions first if there are any. Where few are left, they see hardly anything but odd
+// cycles.
+static uint32_t settle(Frac *f, Tight *t, bool regions)
+{
+  tight__read(f, t);
+  if (regions) tight__settle(f, t, true);
+  if (!regions || tight__count_free(f, t) > f->n / FEW) tight__settle(f, t, false);
+  tight__forest(f, t);
+  tight__write(f, t);
+  return count_free(f);
+}
+
+// Are nearly all edges tight?
+static bool is_dense(const Frac *f, const Tight *t) { return t->start[f->n] >= f->v[f->n].start / 10 * 9; }
+
+// Turns with regions as long as they help, then turns without, until nothing is left, or they change nothing.
+static void solve(Frac *f)
+{
+  uint32_t left = count_free(f), before = NONE;
+  if (left == 0) return;
+  Tight t;
+  tight__init(f, &t);
+  left = rounds_alone(f, left);
+  left = settle(f, &t, false);
+  while (left && left < before && is_dense(f, &t)) {
+    before = left;
+    frac__grow_regions(f, &t, tight__regions(f, &t));
+    left = settle(f, &t, true);
+  }
+  for (before = NONE; left && left != before;) {
+    before = left;
+    grow_together(f);
+    left = count_free(f);
+    left = rounds_alone(f, left);
+    left = settle(f, &t, false);
+  }
+  tight__release(&t);
 }
 
 void blossom__fractional_start(Blossom *b)

@@ -1,125 +1,96 @@
 // blossom_settle.c - free vertices are brought together over tight edges
 // SPDX-License-Identifier: MIT
 //
-// A free vertex moves over a tight edge and the matched edge behind it: the two are exchanged. Here all of
-// them move towards each other at once, along distances found by one breadth-first search; those whose aim
-// another one took first are stuck where it was, and much nearer to the next one when the distances are made
-// anew. The search waits for memory more than for anything; so it works on a copy of mates and tight edges,
-// which is much smaller.
+// A free vertex moves over a tight edge and the matched edge behind it: the two are exchanged. Here all of them move towards
+// each other, along distances found by one breadth-first search for all. Most find their aim taken by another; they go on
+// along distances that they correct for themselves as they go [Goldberg1988], for a while, and then distances are made
+// anew.
 #include "base/base.h"
-#include "quad/blossom_frac.h"
+#include "quad/blossom_tight.h"
 
-// What a search needs of a vertex. Its level is `base` + the number of matched edges between it and the
-// nearest single vertex or odd cycle; less than `base`: not reached.
+// The mark of a vertex is its level: `base` + the number of matched edges between it and the nearest aim; less than `base`: not
+// reached.
 typedef struct {
-  uint32_t mate;  // NONE: free, or on an odd cycle
-  uint32_t level; // ON_CYCLE: no search enters it
-} SettleVertex;
-
-#define ON_CYCLE UINT32_MAX
-
-typedef struct {
-  SettleVertex *v;
-  uint32_t *start; // n + 1: tight edges of v lead to head[start[v]] .. head[start[v + 1] - 1]
-  uint32_t *head;
+  Frac *f;
+  Tight *t;
+  bool within;              // only between the sides of regions: those on side 0 move, and those on side 1 are the aims
   uint32_t base, next_base; // levels of the present search, and of the next one
-  U32Vec root;  // free vertices that may still find a partner
+  U32Vec mover; // free vertices that may still find a partner
   U32Vec near;  // those of them that the search reached, nearest first
-  U32Vec cycle; // vertices that are or were on odd cycles
-  U32Vec trace; // unmatched arcs a free vertex has moved over
+  U32Vec aim;   // free vertices that the search starts from, if they are others than the movers
+  U32Vec cycle; // vertices that are or were on odd cycles: aims as well
 } Settle;
 
-// A search gives up when it has gone on for GIVE_UP times its way to the last free vertex reached, and
-// n / SURE_PART.
-enum { GIVE_UP = 2, SURE_PART = 64 };
+// A search gives up when it has gone on for GIVE_UP times its way to the last mover reached, and n / SURE_PART. A mover gives
+// up when it has corrected n / PATIENCE distances.
+enum { GIVE_UP = 2, SURE_PART = 64, PATIENCE = 1024 };
 
-static bool tight(const Frac *f, uint32_t a) { return frac__slack(f, a) == 0; }
-
-static void settle_init(const Frac *f, Settle *s)
+static void init(Settle *s)
 {
-  uint32_t n = f->n, used = 0;
-  *s = (Settle){.next_base = 1};
-  s->v = mem_alloc(((size_t)n + 1) * sizeof *s->v);
-  s->start = mem_alloc(((size_t)n + 1) * sizeof *s->start);
-  s->head = mem_alloc(((size_t)f->v[n].start + 1) * sizeof *s->head);
-  for (uint32_t v = 0; v < n; v++) {
-    const FracVertex *x = &f->v[v];
-    s->v[v] = (SettleVertex){.mate = x->match == NONE ? NONE : frac__mate(f, v)};
-    if (frac__is_free(x)) vec_push(&s->root, v);
-    if (frac__on_cycle(x)) {
-      vec_push(&s->cycle, v);
-      s->v[v].level = ON_CYCLE;
-    }
-    s->start[v] = used;
-    for (uint32_t a = x->start; a < f->v[v + 1].start; a++)
-      if (tight(f, a)) s->head[used++] = f->arc[a].head;
+  const Frac *f = s->f;
+  for (uint32_t v = 0; v < f->n; v++) {
+    const TightVertex *x = &s->t->v[v];
+    if (x->mate != NONE) continue;
+    if (x->mark != ON_CYCLE) vec_push(s->within && (x->side & 1) ? &s->aim : &s->mover, v);
+    else if (!s->within) vec_push(&s->cycle, v);
   }
-  s->start[n] = used;
 }
 
-static void settle_release(Settle *s)
+static bool joined(const Settle *s, uint32_t x, uint32_t y)
 {
-  free(s->v);
-  free(s->start);
-  free(s->head);
-  vec_free(&s->root);
-  vec_free(&s->near);
-  vec_free(&s->cycle);
-  vec_free(&s->trace);
-}
-
-// What the search will come to soon, on its way from list[k] to its tight edges and their heads.
-static inline void prefetch(const Frac *f, const Settle *s, size_t k)
-{
-  const uint32_t *x = f->list.data + k;
-  if (k + 24 >= f->list.len) return;
-  __builtin_prefetch(&s->start[x[24]]);
-  __builtin_prefetch(&s->head[s->start[x[16]]]);
-  for (uint32_t i = s->start[x[8]]; i < s->start[x[8] + 1]; i++) __builtin_prefetch(&s->v[s->head[i]]);
+  return !s->within || s->t->v[y].side == (s->t->v[x].side ^ 1);
 }
 
 // The vertices at tight edges of x, but those seen, are at a level; the search goes on from their mates.
-static inline void spread(Frac *f, Settle *s, uint32_t x, uint32_t level)
+static inline void spread(Settle *s, uint32_t x, uint32_t level)
 {
-  for (uint32_t i = s->start[x]; i < s->start[x + 1]; i++) {
-    SettleVertex *w = &s->v[s->head[i]];
-    if (w->level >= s->base) continue;
-    w->level = level;
-    vec_push(w->mate == NONE ? &s->near : &f->list, w->mate == NONE ? s->head[i] : w->mate);
+  const Tight *t = s->t;
+  for (uint32_t i = t->start[x]; i < t->start[x + 1]; i++) {
+    TightVertex *w = &t->v[t->head[i]];
+    if (w->mark >= s->base || !joined(s, x, t->head[i])) continue;
+    w->mark = level;
+    vec_push(w->mate == NONE ? &s->near : &s->f->list, w->mate == NONE ? t->head[i] : w->mate);
   }
 }
 
 // A new range of levels; all are given back before they run out.
-static void start_levels(const Frac *f, Settle *s)
+static void start_levels(Settle *s)
 {
-  if (s->next_base >= ON_CYCLE - f->n - 1) {
-    for (uint32_t v = 0; v < f->n; v++)
-      if (s->v[v].level != ON_CYCLE) s->v[v].level = 0;
+  if (s->next_base >= ON_CYCLE / 2) {
+    tight__clear_marks(s->f, s->t);
     s->next_base = 1;
   }
   s->base = s->next_base;
 }
 
-// Distances to single vertices and odd cycles; s->near. list: mates of what was reached, in breadth-first
-// order.
-static void measure(Frac *f, Settle *s, bool all)
+static void spread_from_aims(Settle *s)
 {
-  start_levels(f, s);
+  const Tight *t = s->t;
+  const U32Vec *aim = s->within ? &s->aim : &s->mover;
+  for (size_t k = 0; k < aim->len; k++)
+    if (t->v[aim->data[k]].mate == NONE) spread(s, aim->data[k], s->base);
+  for (size_t k = 0; k < s->cycle.len; k++)
+    if (t->v[s->cycle.data[k]].mark == ON_CYCLE) spread(s, s->cycle.data[k], s->base);
+}
+
+// Levels of all that the search reaches; s->near. list: mates of what was reached, in breadth-first order.
+static void measure(Settle *s, bool all)
+{
+  Frac *f = s->f;
+  start_levels(s);
   vec_clear(&f->list);
   vec_clear(&s->near);
-  for (size_t k = 0; k < s->root.len; k++) spread(f, s, s->root.data[k], s->base);
-  for (size_t k = 0; k < s->cycle.len; k++)
-    if (frac__on_cycle(&f->v[s->cycle.data[k]])) spread(f, s, s->cycle.data[k], s->base);
+  spread_from_aims(s);
   size_t last = f->list.len, end = last, found = s->near.len, sure = f->n / SURE_PART;
   uint32_t level = s->base + 1;
-  for (size_t k = 0; k < f->list.len && s->near.len < s->root.len; k++) {
+  for (size_t k = 0; k < f->list.len && s->near.len < s->mover.len; k++) {
     if (!all && k >= GIVE_UP * last + sure) break;
     if (k == end) {
       end = f->list.len;
       level++;
     }
-    prefetch(f, s, k);
-    spread(f, s, f->list.data[k], level);
+    tight__prefetch(s->t, &f->list, k);
+    spread(s, f->list.data[k], level);
     if (s->near.len == found) continue;
     found = s->near.len;
     last = f->list.len;
@@ -128,105 +99,89 @@ static void measure(Frac *f, Settle *s, bool all)
   f->stats->settle += f->list.len;
 }
 
-// frac__match and frac__open_cycle, kept in step in the copy.
-static void match(const Frac *f, const Settle *s, uint32_t a)
+static void match(const Settle *s, uint32_t x, uint32_t y)
 {
-  uint32_t u = f->arc[a].tail, w = f->arc[a].head;
-  frac__match(f, a);
-  s->v[u].mate = w;
-  s->v[w].mate = u;
+  s->t->v[x].mate = y;
+  s->t->v[y].mate = x;
 }
 
-static void open_cycle(const Frac *f, const Settle *s, uint32_t w)
+// ---- moves
+
+// From x, by the tight edge whose far mate has the least level: to be matched at the end of that edge if the vertex there
+// is single. NONE: there is no way.
+static uint32_t best_way(const Settle *s, uint32_t x, uint32_t from, uint32_t *least)
 {
-  frac__open_cycle(f, w);
-  s->v[w].level = 0;
-  for (uint32_t x = f->arc[f->v[w].pred].head; x != w; x = f->arc[f->v[x].pred].head)
-    s->v[x] = (SettleVertex){.mate = frac__mate(f, x)};
+  const Tight *t = s->t;
+  uint32_t best = NONE;
+  *least = ON_CYCLE;
+  for (uint32_t i = t->start[x]; i < t->start[x + 1]; i++) {
+    uint32_t y = t->head[i], m = t->v[y].mate;
+    if (y == from || !joined(s, x, y)) continue;
+    if (m == NONE) return y;
+    if (t->v[m].mark < s->base || t->v[m].mark >= *least) continue;
+    *least = t->v[m].mark;
+    best = y;
+  }
+  return best;
 }
 
-// Move the free vertex x over ever smaller distances. Returns where it is stuck, or NONE if it has a partner.
-static uint32_t walk(const Frac *f, Settle *s, uint32_t x)
+// Move the free vertex x. Returns where it has given up, or NONE if it is free no more.
+static uint32_t walk(Settle *s, uint32_t x)
 {
-  vec_clear(&s->trace);
+  TightVertex *v = s->t->v;
+  uint32_t patience = s->f->n / PATIENCE, from = NONE, least;
   for (;;) {
-    uint32_t best = NONE, least = s->v[x].level;
-    for (uint32_t a = f->v[x].start; a < f->v[x + 1].start; a++) {
-      uint32_t y = f->arc[a].head;
-      if (!tight(f, a)) continue;
-      if (f->v[y].match == NONE) {
-        if (frac__on_cycle(&f->v[y])) open_cycle(f, s, y);
-        match(f, s, a);
-        return NONE;
-      }
-      const SettleVertex *m = &s->v[s->v[y].mate];
-      if (m->level < s->base || m->level >= least) continue;
-      least = m->level;
-      best = a;
+    uint32_t y = best_way(s, x, from, &least);
+    if (y != NONE && v[y].mate == NONE) {
+      if (v[y].mark == ON_CYCLE) tight__open_cycle(s->f, s->t, y);
+      match(s, x, y);
+      return NONE;
     }
-    if (best == NONE) return x;
-    vec_push(&s->trace, best);
-    x = frac__mate(f, f->arc[best].head);
-    match(f, s, best);
-    f->v[x].match = f->v[x].pred = s->v[x].mate = NONE;
+    if (y == NONE || least >= v[x].mark) {
+      if (y == NONE || patience-- == 0) return x;
+      v[x].mark = least + 1;
+      s->next_base = MAX(s->next_base, least + 2);
+    }
+    uint32_t next = v[y].mate;
+    match(s, x, y);
+    v[next].mate = NONE;
+    from = y;
+    x = next;
   }
 }
 
-// v is on an odd cycle now, and `pred` leads to the next vertex.
-static void close_at(const Frac *f, Settle *s, uint32_t v, uint32_t pred)
+// All that were reached move, nearest first. Returns how many are free no more; the others are s->mover.
+static size_t walk_all(Settle *s)
 {
-  f->v[v].pred = pred;
-  f->v[v].match = NONE;
-  s->v[v] = (SettleVertex){.mate = NONE, .level = ON_CYCLE};
-  vec_push(&s->cycle, v);
-}
-
-static uint32_t tight_arc(const Frac *f, uint32_t x, uint32_t y)
-{
-  for (uint32_t a = f->v[x].start; a < f->v[x + 1].start; a++)
-    if (f->arc[a].head == y && tight(f, a)) return a;
-  return NONE;
-}
-
-// If a walk from r ended in sight of r, there is an odd cycle.
-static bool close_walk(const Frac *f, Settle *s, uint32_t r, uint32_t x)
-{
-  uint32_t close = s->trace.len ? tight_arc(f, x, r) : NONE;
-  if (close == NONE) return false;
-  for (size_t k = 0; k < s->trace.len; k++) {
-    uint32_t a = s->trace.data[k], u = f->arc[a].tail, y = f->arc[a].head;
-    close_at(f, s, u, a);
-    close_at(f, s, y, tight_arc(f, y, k + 1 < s->trace.len ? f->arc[s->trace.data[k + 1]].tail : x));
-  }
-  close_at(f, s, x, close);
-  return true;
-}
-
-// All that were reached walk, nearest first. Returns how many are free no more; the others are s->root.
-static size_t walk_all(Frac *f, Settle *s)
-{
+  const TightVertex *v = s->t->v;
   size_t left = 0;
-  vec_clear(&s->root);
+  vec_clear(&s->mover);
   for (size_t k = 0; k < s->near.len; k++) {
     uint32_t r = s->near.data[k];
-    if (!frac__is_free(&f->v[r])) continue;
-    uint32_t x = walk(f, s, r);
-    if (x != NONE && !close_walk(f, s, r, x)) vec_push(&s->root, x);
+    if (v[r].mate != NONE) continue;
+    uint32_t x = walk(s, r);
+    if (x != NONE) vec_push(&s->mover, x);
   }
-  for (size_t k = 0; k < s->root.len; k++)
-    if (frac__is_free(&f->v[s->root.data[k]])) s->root.data[left++] = s->root.data[k];
-  s->root.len = left;
+  for (size_t k = 0; k < s->mover.len; k++) {
+    uint32_t x = s->mover.data[k];
+    if (v[x].mate == NONE) s->mover.data[left++] = x;
+  }
+  s->mover.len = left;
   return s->near.len - left;
 }
 
-void frac__settle(Frac *f)
+void tight__settle(Frac *f, Tight *t, bool within)
 {
-  Settle s;
-  settle_init(f, &s);
-  for (bool first = true; s.root.len; first = false) {
-    measure(f, &s, first);
-    if (walk_all(f, &s) == 0) break;
+  Settle s = {.f = f, .t = t, .within = within, .next_base = 1};
+  init(&s);
+  for (bool all = true; s.mover.len; all = within) {
+    measure(&s, all);
+    if (walk_all(&s) == 0) break;
   }
   vec_clear(&f->list);
-  settle_release(&s);
+  tight__clear_marks(f, t);
+  vec_free(&s.mover);
+  vec_free(&s.near);
+  vec_free(&s.aim);
+  vec_free(&s.cycle);
 }

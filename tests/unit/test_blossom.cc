@@ -105,6 +105,46 @@ void test_meshes_against_lemon(void **)
   for (uint32_t k = 0; k < 24; k++) expect_lemon(mesh_graph(4 + 2 * k, 0.002 * (k % 5), k % 3 == 2 ? 0.5 : 0, k));
 }
 
+// The dual of a regular lattice of w x h parallelograms, all costs equal but for a few, and a few edges across: nearly all edges
+// are tight, and trees grow over whole regions.
+Graph regular_lattice(Rng *rng, uint32_t w, uint32_t h)
+{
+  Graph g;
+  g.n = 2 * w * h;
+  uint32_t rare = 2 + rng_below(rng, 60);
+  auto join = [&](uint32_t u, uint32_t v) {
+    g.add(u, v, rng_below(rng, rare) ? 5 : (int32_t)rng_below(rng, rng_below(rng, 2) ? 12 : 100));
+  };
+  for (uint32_t k = 0; k < w * h; k++) {
+    join(2 * k, 2 * k + 1);
+    if (k % w + 1 < w) join(2 * k + 1, 2 * k + 2);
+    if (k + w < w * h) join(2 * k + 1, 2 * (k + w));
+  }
+  for (uint32_t k = rng_below(rng, 8); k > 0; k--) {
+    uint32_t u = rng_below(rng, g.n);
+    join(u, k % 2 ? rng_below(rng, g.n) : u ^ 1);
+  }
+  return g;
+}
+
+void test_regions(void **)
+{
+  Rng rng = {37};
+  uint64_t regions = 0;
+  for (uint32_t k = 0; k < 60; k++) {
+    uint32_t w = 20 + rng_below(&rng, 2 + 2 * k), h = 20 + rng_below(&rng, 2 + 2 * k);
+    Graph g = regular_lattice(&rng, w, h);
+    BlossomGraph view = g.view();
+    BlossomResult *r = blossom_solve(&view);
+    expect_certified(g, r);
+    assert_int_equal(r->unmatched, 0);
+    regions += r->stats.region;
+    blossom_free(r);
+    if (k % 6 == 0) expect_lemon(g);
+  }
+  assert_true(regions > 1000);
+}
+
 // What `make check-blossom` runs: 150 random graphs and 150 duals of meshes, sizes spread evenly on a logarithmic scale up to 50,000.
 void test_long(void **)
 {
@@ -203,7 +243,8 @@ int main(void)
       cmocka_unit_test(test_meshes_against_lemon), cmocka_unit_test(test_large_mesh_is_certified),
       cmocka_unit_test(test_barrier),              cmocka_unit_test(test_check_refuses),
       cmocka_unit_test(test_bipartite_needs_no_blossom), cmocka_unit_test(test_odd_rings),
-      cmocka_unit_test(test_empty),                cmocka_unit_test(test_long),
+      cmocka_unit_test(test_empty),                cmocka_unit_test(test_regions),
+      cmocka_unit_test(test_long),
   };
   return unit_run(tests);
 }
