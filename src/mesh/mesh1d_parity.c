@@ -1,10 +1,10 @@
 // mesh1d_parity.c - even numbers of segments around faces that are to become quadrangles
 // SPDX-License-Identifier: MIT
 //
-// A face can be cut into quadrangles only if its boundary has an even number of edges. With Mesh.RecombineAll the fewest and
-// least noticeable curves get one segment more: a T-join in the graph whose vertices are faces and whose edges are curves, taken on
-// a spanning forest that prefers curves of many segments. Where single faces are recombined every curve around them gets an
-// even number, as in Gmsh; the full-quad methods, which halve the 1D mesh, need multiples of four.
+// A face can be cut into quadrangles only if its boundary has an even number of edges. Where that is not so the fewest and least
+// noticeable curves get one segment more: a T-join in the graph whose vertices are the faces to be recombined, and outside, and whose
+// edges are curves, taken on a spanning forest that prefers curves of many segments. Where single faces are recombined every curve
+// around them gets an even number first, as in Gmsh, and with the full-quad methods, which halve the 1D mesh, a multiple of two or four.
 #include "base/base.h"
 
 #include <math.h>
@@ -45,12 +45,14 @@ static void for_boundary(Mesher1d *d, const Face *f, void (*visit)(Mesher1d *d, 
 typedef struct {
   uint32_t a, b;    // faces; nface: outside
   uint32_t curve;
+  uint32_t halved;  // faces that could be halved no more if the curve had an odd number
   uint32_t weight;  // segments: the more, the less one more is noticed
 } Link;
 
 static int by_weight(const void *p, const void *q)
 {
   const Link *x = p, *y = q;
+  if (x->halved != y->halved) return x->halved < y->halved ? -1 : 1;
   if (x->weight != y->weight) return x->weight > y->weight ? -1 : 1;
   return x->curve < y->curve ? -1 : x->curve > y->curve;
 }
@@ -83,19 +85,30 @@ typedef struct {
   uint32_t *side;   // 2 per curve: the faces it bounds, nface for outside
   uint8_t *used;    // times the curve occurs on boundaries
   uint8_t *odd;     // per face (and outside): its boundary count is odd
+  uint8_t *halved;  // per face (and outside): a full-quad method can have it, as all its curves have even numbers
 } FaceGraph;
+
+static bool full_quad(const Mesher1d *d) { return d->opt->Mesh_RecombinationAlgorithm >= 2; }
+
+static bool becomes_quads(const Mesher1d *d, const Face *f)
+{
+  return (d->opt->Mesh_RecombineAll || (f->recombine && d->opt->Mesh_RecombinationAlgorithm != 0)) && !is_structured(f);
+}
 
 static void collect(Mesher1d *d, FaceGraph *fg)
 {
   for (uint32_t f = 0; f < fg->nface; f++) {
     const Face *face = model_face_at(d->m, f);
+    bool wanted = becomes_quads(d, face);
+    fg->halved[f] = wanted && full_quad(d);
     for (int i = 0; i < face->nloop; i++) {
       const Loop *loop = model_loop(d->m, face->loop[i]);
       for (int k = 0; loop && k < loop->ncurve; k++) {
         uint32_t c = mesh1d_index(d->g, loop->curve[k]);
         if (c == NONE) continue;
-        if (!is_structured(face)) fg->odd[f] ^= segments_of(d, c) & 1;
-        if (fg->used[c] < 2) fg->side[2 * c + fg->used[c]] = f;
+        if (wanted) fg->odd[f] ^= segments_of(d, c) & 1;
+        if (segments_of(d, c) & 1) fg->halved[f] = 0;
+        if (fg->used[c] < 2) fg->side[2 * c + fg->used[c]] = wanted ? f : fg->nface;
         if (fg->used[c] < 3) fg->used[c]++;
       }
     }
@@ -145,6 +158,7 @@ static void settle_globally(Mesher1d *d)
   for (size_t i = 0; i < 2 * nc; i++) fg.side[i] = fg.nface;
   fg.used = mem_zalloc(nc + 1);
   fg.odd = mem_zalloc(fg.nface + 1);
+  fg.halved = mem_zalloc(fg.nface + 1);
   collect(d, &fg);
   // The master of a copy changes both at once: it stays as it is.
   uint8_t *has_copy = mem_zalloc(nc + 1);
@@ -158,7 +172,7 @@ static void settle_globally(Mesher1d *d)
   for (uint32_t k = 0; k < nc; k++) {
     uint32_t a = fg.side[2 * k], b = fg.side[2 * k + 1];
     if (fg.used[k] == 0 || fg.used[k] > 2 || a == b || has_copy[k] || !is_free(&d->work[k])) continue;
-    vec_push(&link, ((Link){a, b, k, d->work[k].segments}));
+    vec_push(&link, ((Link){a, b, k, fg.halved[a] + fg.halved[b], d->work[k].segments}));
   }
   if (link.len) qsort(link.data, link.len, sizeof *link.data, by_weight);
   uint32_t *parent = mem_alloc((fg.nface + 1) * sizeof *parent);
@@ -171,9 +185,9 @@ static void settle_globally(Mesher1d *d)
     link.data[ntree++] = link.data[i];
   }
   join_on_forest(d, &fg, link.data, ntree);
-  for (size_t k = 0; k < nc; k++) d->work[k].parity = fg.used[k] > 0;
+  for (size_t k = 0; k < nc && d->opt->Mesh_RecombineAll && !full_quad(d); k++) d->work[k].parity = fg.used[k] > 0;
   for (uint32_t f = 0; f < fg.nface; f++)
-    if (fg.odd[f] && !is_structured(model_face_at(d->m, f)))
+    if (fg.odd[f])
       diag_warning(d->diag, model_face_at(d->m, f)->loc,
                    "face %d cannot become quadrangles only: the prescribed counts around it add up to an odd number",
                    model_face_at(d->m, f)->tag);
@@ -182,6 +196,7 @@ static void settle_globally(Mesher1d *d)
   free(fg.side);
   free(fg.used);
   free(fg.odd);
+  free(fg.halved);
   vec_free(&link);
 }
 
@@ -190,12 +205,12 @@ void mesh1d__settle_parity(Mesher1d *d)
   int method = d->opt->Mesh_RecombinationAlgorithm;
   bool all = d->opt->Mesh_RecombineAll;
   uint32_t multiple = method == 2 || method == 4 ? 4 : 2;
-  if (all && (method == 0 || method == 1)) {
-    settle_globally(d);
-    return;
-  }
-  for (size_t k = 0; k < model_faces(d->m); k++) {
+  bool some = all;
+  for (size_t k = 0; k < model_faces(d->m) && !(all && !full_quad(d)); k++) {
     const Face *f = model_face_at(d->m, k);
-    if (all || (f->recombine && method != 0)) for_boundary(d, f, round_up, multiple);
+    if (!all && (!f->recombine || method == 0)) continue;
+    for_boundary(d, f, round_up, multiple);
+    some = true;
   }
+  if (some) settle_globally(d);
 }

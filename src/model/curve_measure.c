@@ -249,6 +249,9 @@ static Bounds3 derivative_bounds(const CurveShape *h, int piece)
   return k;
 }
 
+// Squared distances that differ by no more, relatively, are equal.
+static const double TIE = 1e-12;
+
 // Branch and bound: no point of [a, b] is nearer than the middle's distance less the largest speed times the half width. What
 // remains is halved until the squared distance is certainly convex in it.
 static void descend(Search *q, double a, double b, const Bounds3 *k, int depth)
@@ -262,7 +265,10 @@ static void descend(Search *q, double a, double b, const Bounds3 *k, int depth)
   offer(q, b, &sb, &ignored);
   double slow = vec3_length(d1) - k->d2 * half;
   double pull = vec3_dot(r, d2) - half * (dist * k->d3 + k->d1 * k->d2 + k->d1 * k->d3 * half);
-  if (depth == 0 || (slow > 0 && slow * slow + pull > 0)) {
+  double least_bend = (slow > 0 ? slow * slow : 0) + pull;
+  // No less than that by Taylor, either: the only bound where all of a circle is equally near.
+  if (dist * dist - 2 * fabs(slope) * half + fmin(least_bend, 0) * half * half >= (1 - TIE) * q->best) return;
+  if (depth == 0 || (slow > 0 && least_bend > 0)) {
     if (sa < 0 && sb > 0) polish(q, a, b);
     return;
   }

@@ -111,6 +111,26 @@ G
 exits 0 "some faces recombined, one with an angle of its own" "$MESHGEN" -2 some.geo -o s.msh -require "quads>20" -require "triangles>20"
 exits 0 "they conform" "$MESHGEN" check s.msh
 exits 0 "OpenMesh reads them as one manifold" "$halfedges" s.msh 1
+# Odd numbers fixed by the user are made even by curves that are free; where none is, one triangle stays and is named.
+cat >odd.geo <<'G'
+h = 0.17; Point(1) = {0, 0, 0, h}; Point(2) = {1, 0, 0, h}; Point(3) = {1, 1, 0, h}; Point(4) = {0, 1, 0, h}; Point(5) = {2, 0, 0, h}; Point(6) = {2, 1, 0, h};
+For i In {1:4}
+  Line(i) = {i, i % 4 + 1};
+EndFor
+Line(5) = {2, 5}; Line(6) = {5, 6}; Line(7) = {6, 3}; Curve Loop(1) = {1:4}; Curve Loop(2) = {5, 6, 7, -2};
+Plane Surface(1) = {1}; Plane Surface(2) = {2}; Transfinite Curve{1} = 8; Transfinite Curve{6} = 4;
+G
+sed '$a Transfinite Curve{5, 7} = 5; Transfinite Curve{2:4} = 7;' odd.geo >fixed.geo
+for method in 1 2 3; do
+  for all in 0 1; do
+    options="-setnumber Mesh.RecombineAll $all -setnumber Mesh.RecombinationAlgorithm $method"
+    { cat odd.geo; [ $all = 1 ] || echo 'Recombine Surface{1, 2};'; } >odd_$all.geo
+    # shellcheck disable=SC2086
+    exits 0 "method $method, all $all: odd numbers on two curves" "$MESHGEN" -2 odd_$all.geo $options -o o.msh -require triangles=0 -require "quads>30"
+  done
+  exits 0 "method $method: odd numbers everywhere leave one triangle a face" "$MESHGEN" -2 fixed.geo \
+    -setnumber Mesh.RecombineAll 1 -setnumber Mesh.RecombinationAlgorithm $method -o o.msh -require triangles=2
+done
 # Boundary layers: tips of fans, walls of all angles at curves that cannot take the nodes of the layers, explicit odd numbers.
 cat >layers.geo <<'G'
 h = 0.12;

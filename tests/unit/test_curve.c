@@ -274,6 +274,22 @@ static void nearest(void **state)
   teardown(&f);
 }
 
+// Every point of an ellipse with equal axes is as near to its centre as the others: that takes no longer (it did for minutes).
+static void nearest_to_the_centre(void **state)
+{
+  (void)state;
+  Fix f = {model_new(), diag_new(false)};
+  static const Vec3 p[] = {{.5 + .3, .5, 0}, {.5, .5 + .3, 0}, {.5 - .3, .5, 0}, {.5, .5 - .3, 0}, {.5, .5, 0}};
+  for (size_t i = 0; i < ARRAY_LEN(p); i++) model_add_point(f.m, (int)i + 1, p[i], 0, NO_LOC, f.d);
+  for (int i = 1; i <= 4; i++) ADD(&f, CURVE_ELLIPSE, i, i, 5, i, i % 4 + 1);
+  assert_true(model_prepare(f.m, 1e-8, f.d));
+  for (int i = 1; i <= 4; i++) {
+    const Curve *c = model_curve(f.m, i);
+    assert_true(fabs(vec3_distance(p[4], curve_point(f.m, c, curve_nearest(f.m, c, p[4]))) - .3) < 1e-12);
+  }
+  teardown(&f);
+}
+
 static void straight(void **state)
 {
   (void)state;
@@ -384,6 +400,7 @@ int main(void)
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(positions_as_measured), cmocka_unit_test(ends_are_the_points), cmocka_unit_test(derivatives),
     cmocka_unit_test(lengths), cmocka_unit_test(lengths_of_nearly_equal_points),               cmocka_unit_test(boxes),               cmocka_unit_test(nearest),
+    cmocka_unit_test(nearest_to_the_centre),
     cmocka_unit_test(straight),              cmocka_unit_test(closed_bspline),      cmocka_unit_test(a_chain),
       cmocka_unit_test(arcs_that_are_none),
   };
