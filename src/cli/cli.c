@@ -134,7 +134,7 @@ static void set_algorithm(Walk *w)
     set_named(w, "Algorithm", n);
 }
 
-// Option of the weight of elements called so; NULL if there are none such here. Those of volumes are taken and mean nothing.
+// Option of the weight of elements called so; NULL if there are none such. Those of volumes mean nothing here.
 static const char *weight_key(const char *name)
 {
   static const struct { const char *name, *key; } known[] = {

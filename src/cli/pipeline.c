@@ -487,10 +487,12 @@ static Mesh *read_merged(Job *j, ExitCode *status)
 {
   size_t n = j->cli->inputs.len, read = 0;
   Mesh **part = mem_zalloc(n * sizeof *part), *joined = NULL;
-  while (read < n && (part[read] = out_read(j->cli->inputs.data[read], NULL, j->threads, j->diag, status)) != NULL) read++;
+  const char *const *file = j->cli->inputs.data;
+  while (read < n && (part[read] = out_read(file[read], NULL, j->threads, j->diag, status)) != NULL) read++;
   unsigned long long node;
   if (read == n && !(joined = mesh_join(part, n, &node))) {
-    diag_error(j->diag, NO_LOC, "-merge: node %llu is not at the same place in all files: they are not of one mesh", node);
+    diag_error(j->diag, NO_LOC, "-merge: node %llu is not at the same place in all files: they are not of one mesh",
+               node);
     *status = EXIT_INPUT;
   }
   for (size_t i = 0; i < read; i++) mesh_free(part[i]);

@@ -219,14 +219,17 @@ static void text_indices(FILE *f, const MeshIndices *s)
 static void text_parts(FILE *f, const PartitionStats *s, bool full)
 {
   if (!s->n) return;
-  fprintf(f, "  %-16s %u of %zu to %zu elements, %.2f %% over the mean, %zu edges cut, %u neighbours at most%s\n", "parts", s->n, s->least,
-          s->most, 100 * s->imbalance, s->cut, s->neighbours, s->pieces > s->n ? "" : ", each in one piece");
+  fprintf(f, "  %-16s %u of %zu to %zu elements, %.2f %% over the mean, %zu edges cut, %u neighbours at most%s\n",
+          "parts", s->n, s->least, s->most, 100 * s->imbalance, s->cut, s->neighbours,
+          s->pieces > s->n ? "" : ", each in one piece");
   if (s->pieces > s->n) fprintf(f, "  %-16s %u parts are in %u pieces\n", "", s->n, s->pieces);
   if (!full) return;
-  fprintf(f, "  %-8s %10s %10s %10s %10s %10s\n", "part", "elements", "cut edges", "ghosts", "neighbours", "pieces");
+  fprintf(f, "  %-8s %10s %10s %10s %10s %10s\n", "part", "elements", "cut edges", "ghosts", "neighbours",
+          "pieces");
   for (uint32_t k = 0; k < s->n; k++) {
     const PartInfo *p = &s->part[k];
-    fprintf(f, "  %-8u %10zu %10zu %10zu %10u %10u\n", k + 1, p->elements, p->cut, p->ghosts, p->neighbours, p->pieces);
+    fprintf(f, "  %-8u %10zu %10zu %10zu %10u %10u\n", k + 1, p->elements, p->cut, p->ghosts, p->neighbours,
+            p->pieces);
   }
 }
 

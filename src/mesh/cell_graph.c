@@ -42,7 +42,8 @@ static void add_surfaces(Builder *b)
   }
 }
 
-// Surface elements across their edges; more than two on an edge are joined in a row. Lines find their surface element.
+// Surface elements across their edges; more than two on an edge are joined in a row. Lines find their surface
+// element.
 static void link_edges(Builder *b, const EdgeUses *uses)
 {
   for (size_t i = 0, j; i < uses->n; i = j) {
@@ -77,7 +78,8 @@ static void add_lines(Builder *b)
   }
 }
 
-// Points of no other element, such as centres of arcs, go with the first cell, and are cells only where nothing else is there.
+// Points of no other element, such as centres of arcs, go with the first cell, and are cells only where
+// nothing else is there.
 static void add_points(Builder *b)
 {
   bool only = b->g->n == 0;

@@ -5,8 +5,8 @@
 
 #include "mesh/mesh.h"
 
-// Elements are numbered through all blocks from 0: those of block b from base[b] on. As blocks go by dimension, lines are
-// line0 .. surface0-1 and surface elements surface0 .. nelem-1.
+// Elements are numbered through all blocks from 0: those of block b from base[b] on. As blocks go by
+// dimension, lines are line0 .. surface0-1 and surface elements surface0 .. nelem-1.
 typedef struct {
   size_t nelem, line0, surface0;
   size_t *base; // nblock + 1 entries
@@ -24,7 +24,8 @@ typedef struct {
   uint32_t elem;
 } EdgeUse;
 
-// Every edge, corner to corner, of every element: by lower node, upper node, element. Uses of one edge so stand side by side.
+// Every edge, corner to corner, of every element: by lower node, upper node, element. Uses of one edge so
+// stand side by side.
 typedef struct {
   size_t n;
   EdgeUse *use;

@@ -19,7 +19,8 @@ static MeshBlock *corner_blocks(const Mesh *m, bool *used)
     const MeshBlock *b = &m->block[i];
     int dim = elem_dim(b->type), c = elem_corners(b->type), per = elem_nodes(b->type);
     ElemType type = dim < 1 ? ELEM_POINT : dim == 1 ? ELEM_LINE2 : c == 3 ? ELEM_TRI3 : ELEM_QUAD4;
-    block[i] = (MeshBlock){.entity = b->entity, .type = type, .n = b->n, .node = mem_alloc((size_t)c * b->n * sizeof(uint32_t))};
+    block[i] = (MeshBlock){.entity = b->entity, .type = type, .n = b->n};
+    block[i].node = mem_alloc((size_t)c * b->n * sizeof(uint32_t));
     for (size_t k = 0; k < b->n; k++)
       for (int j = 0; j < c; j++) {
         uint32_t v = b->node[(size_t)per * k + (size_t)j];

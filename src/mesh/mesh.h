@@ -39,7 +39,7 @@ typedef struct {
   IntVec physical;         // physical tags, negative where the group was defined with the negative entity
   IntVec boundary;         // signed tags of the bounding entities of dimension dim-1 (a curve's: begin, then -end)
   IntVec embedded;         // tags of curves embedded in a face
-  // Of a piece of another entity in some parts of the mesh (mesh/part_entities.h); elsewhere `parts` is empty.
+  // Of a piece of another entity, in some parts of the mesh (mesh/part_entities.h); else `parts` is empty.
   int parent_dim, parent_tag;
   IntVec parts;            // ascending
   bool saved;              // its elements are saved although it is in no group

@@ -196,7 +196,8 @@ static bool lacks_parts(const Mesh *m)
 {
   bool *here = mem_zalloc(m->nparts * sizeof *here), lacks = false;
   for (size_t b = 0; m->nparts && b < m->nblock; b++)
-    for (size_t i = 0; elem_dim(m->block[b].type) == 2 && i < m->block[b].n; i++) here[m->block[b].part[i] - 1] = true;
+    for (size_t i = 0; elem_dim(m->block[b].type) == 2 && i < m->block[b].n; i++)
+      here[m->block[b].part[i] - 1] = true;
   for (uint32_t k = 0; k < m->nparts; k++) lacks = lacks || !here[k];
   free(here);
   return lacks;

@@ -4,10 +4,9 @@
 
 #include "mesh/mesh_join.h"
 
-
 #include "base/map.h"
 
-// ---- nodes left out ------------------------------------------------------------------------------------------------------
+// ---- nodes left out ------------------------------------------------------------
 // Pairs lose those of which a node is gone.
 static void renumber_pairs(MeshPeriodic *p, const uint32_t *to)
 {
@@ -27,7 +26,8 @@ void mesh_drop_unused(Mesh *m, const bool *unused)
   uint64_t *number = mem_alloc(m->nnode * sizeof *number);
   for (size_t v = 0; v < m->nnode; v++) to[v] = unused[v] ? NONE : 0;
   for (size_t b = 0; b < m->nblock; b++)
-    for (size_t i = 0; i < m->block[b].n * (size_t)elem_nodes(m->block[b].type); i++) to[m->block[b].node[i]] = 0;
+    for (size_t i = 0; i < m->block[b].n * (size_t)elem_nodes(m->block[b].type); i++)
+      to[m->block[b].node[i]] = 0;
   for (size_t v = 0; v < m->nnode; v++) {
     if (to[v] == NONE) continue;
     to[v] = kept;
@@ -47,14 +47,14 @@ void mesh_drop_unused(Mesh *m, const bool *unused)
   free(to);
 }
 
-// ---- joining --------------------------------------------------------------------------------------------------------------
+// ---- joining ------------------------------------------------------------
 typedef struct {
   Mesh *const *part;
   size_t n;
   Mesh *out;
-  Map node;           // number -> node of out
-  uint32_t **entity;  // per mesh and entity: that of out
-  uint32_t **to;      // per mesh and node: that of out
+  Map node;          // number -> node of out
+  uint32_t **entity; // per mesh and entity: that of out
+  uint32_t **to;     // per mesh and node: that of out
 } Join;
 
 static int entity_order(const void *x, const void *y)
@@ -99,7 +99,8 @@ static void join_entities(Join *j)
   for (size_t p = 0; p < j->n; p++) {
     const Mesh *m = j->part[p];
     j->entity[p] = mem_alloc(m->nentity * sizeof *j->entity[p]);
-    for (size_t i = 0; i < m->nentity; i++) j->entity[p][i] = mesh_find_entity(out, m->entity[i].dim, m->entity[i].tag);
+    for (size_t i = 0; i < m->nentity; i++)
+      j->entity[p][i] = mesh_find_entity(out, m->entity[i].dim, m->entity[i].tag);
   }
 }
 
@@ -143,7 +144,8 @@ static uint64_t element_key(const uint32_t *v, int n)
   return key >> 1;
 }
 
-// Add the block's elements that out's block does not have; before: elements that it had of other meshes, by key.
+// Add the block's elements that out's block does not have; before: elements that it had of other meshes, by
+// key.
 static void add_elements(Join *j, size_t p, const MeshBlock *from, MeshBlock *to, Map *before)
 {
   int n = elem_nodes(from->type);
@@ -152,34 +154,60 @@ static void add_elements(Join *j, size_t p, const MeshBlock *from, MeshBlock *to
     uint32_t *v = to->node + to->n * (size_t)n;
     for (int k = 0; k < n; k++) v[k] = j->to[p][from->node[i * (size_t)n + (size_t)k]];
     uint32_t twin = map_get(before, element_key(v, n));
-    if (twin != NONE && twin < fresh && memcmp(to->node + twin * (size_t)n, v, (size_t)n * sizeof *v) == 0) continue;
+    if (twin != NONE && twin < fresh && memcmp(to->node + twin * (size_t)n, v, (size_t)n * sizeof *v) == 0)
+      continue;
     if (to->part) to->part[to->n] = from->part ? from->part[i] : 0;
     map_set(before, element_key(v, n), (uint32_t)to->n++);
   }
 }
 
+// A block of a mesh, and the entity it is on in the whole one.
+typedef struct {
+  uint32_t entity;
+  ElemType type;
+  size_t part, block;
+} BlockKey;
+
+static int key_order(const void *x, const void *y)
+{
+  const BlockKey *a = x, *b = y;
+  if (a->entity != b->entity) return a->entity < b->entity ? -1 : 1;
+  if (a->type != b->type) return a->type < b->type ? -1 : 1;
+  if (a->part != b->part) return a->part < b->part ? -1 : 1;
+  return a->block < b->block ? -1 : a->block > b->block;
+}
+
+// Blocks of one entity and type.
+static void join_block(Join *j, const BlockKey *key, size_t n)
+{
+  size_t room = 0;
+  for (size_t i = 0; i < n; i++) room += j->part[key[i].part]->block[key[i].block].n;
+  uint32_t k = mesh_add_block(j->out, key->entity, key->type, room);
+  MeshBlock *to = &j->out->block[k];
+  Map before = {0};
+  to->n = 0;
+  if (j->out->nparts) to->part = mem_alloc(room * sizeof *to->part);
+  for (size_t i = 0; i < n; i++)
+    add_elements(j, key[i].part, &j->part[key[i].part]->block[key[i].block], to, &before);
+  map_free(&before);
+}
+
 static void join_blocks(Join *j)
 {
-  static const ElemType last = ELEM_QUAD12;
-  for (uint32_t e = 0; e < j->out->nentity; e++)
-    for (ElemType type = ELEM_LINE2; type <= last; type++) {
-      size_t room = 0;
-      if (elem_dim(type) != j->out->entity[e].dim) continue;
-      for (size_t p = 0; p < j->n; p++)
-        for (size_t b = 0; b < j->part[p]->nblock; b++)
-          if (j->part[p]->block[b].type == type && j->entity[p][j->part[p]->block[b].entity] == e) room += j->part[p]->block[b].n;
-      if (!room) continue;
-      uint32_t k = mesh_add_block(j->out, e, type, room);
-      MeshBlock *to = &j->out->block[k];
-      to->n = 0;
-      if (j->out->nparts) to->part = mem_alloc(room * sizeof *to->part);
-      Map before = {0};
-      for (size_t p = 0; p < j->n; p++)
-        for (size_t b = 0; b < j->part[p]->nblock; b++)
-          if (j->part[p]->block[b].type == type && j->entity[p][j->part[p]->block[b].entity] == e)
-            add_elements(j, p, &j->part[p]->block[b], to, &before);
-      map_free(&before);
+  Vec(BlockKey) key = {0};
+  for (size_t p = 0; p < j->n; p++)
+    for (size_t b = 0; b < j->part[p]->nblock; b++) {
+      const MeshBlock *k = &j->part[p]->block[b];
+      vec_push(&key, ((BlockKey){j->entity[p][k->entity], k->type, p, b}));
     }
+  if (key.len) qsort(key.data, key.len, sizeof *key.data, key_order);
+  for (size_t i = 0, n; i < key.len; i += n) {
+    for (n = 1; i + n < key.len && key.data[i + n].entity == key.data[i].entity &&
+                key.data[i + n].type == key.data[i].type;)
+      n++;
+    join_block(j, key.data + i, n);
+  }
+  vec_free(&key);
 }
 
 static void join_groups(Join *j)
@@ -189,7 +217,8 @@ static void join_groups(Join *j)
     const Mesh *m = j->part[p];
     out->volumes_grouped |= m->volumes_grouped;
     for (size_t g = 0; g < m->ngroup; g++)
-      if (!mesh_find_group(out, m->group[g].dim, m->group[g].tag)) mesh_add_group(out, m->group[g].dim, m->group[g].tag, m->group[g].name);
+      if (!mesh_find_group(out, m->group[g].dim, m->group[g].tag))
+        mesh_add_group(out, m->group[g].dim, m->group[g].tag, m->group[g].name);
   }
 }
 
@@ -201,7 +230,8 @@ static void join_pairs(Join *j)
       const MeshPeriodic *from = &j->part[p]->periodic[i];
       MeshPeriodic *to = NULL;
       for (size_t k = 0; k < j->out->nperiodic; k++)
-        if (j->out->periodic[k].dim == from->dim && j->out->periodic[k].tag == from->tag) to = &j->out->periodic[k];
+        if (j->out->periodic[k].dim == from->dim && j->out->periodic[k].tag == from->tag)
+          to = &j->out->periodic[k];
       if (!to) {
         to = mesh_add_periodic(j->out, from->dim, from->tag, from->master);
         to->has_affine = from->has_affine;

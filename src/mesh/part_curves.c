@@ -4,7 +4,7 @@
 
 #include "mesh/part_entities_int.h"
 
-// ---- links -------------------------------------------------------------------------------------------------------------
+// ---- links ------------------------------------------------------------
 static void add_lines(Division *d)
 {
   const Mesh *m = d->m;
@@ -14,8 +14,12 @@ static void add_lines(Division *d)
     size_t nodes = (size_t)elem_nodes(k->type);
     for (size_t i = 0; i < k->n; i++) {
       const uint32_t *v = k->node + i * nodes;
-      vec_push(&d->curves.link, ((Link){{v[0], v[1]}, k->entity, part_sets__get(&d->sets, &k->part[i], 1), k->type,
-                                        (uint32_t)(d->ids.base[b] + i), NONE}));
+      vec_push(&d->curves.link, ((Link){{v[0], v[1]},
+                                        k->entity,
+                                        part_sets__get(&d->sets, &k->part[i], 1),
+                                        k->type,
+                                        (uint32_t)(d->ids.base[b] + i),
+                                        NONE}));
     }
   }
 }
@@ -30,17 +34,29 @@ static ElemType line_type(ElemType t)
   return lines[elem_order(t) - 1];
 }
 
+// The corner of an element at which its edge of nodes a and b, in either order, begins.
+static int corner_of_edge(const uint32_t *v, int corners, uint32_t a, uint32_t b)
+{
+  int c = 0;
+  while (map_pair(v[c], v[(c + 1) % corners]) != map_pair(a, b)) c++;
+  return c;
+}
+
 static void add_seam(Division *d, size_t i, size_t j)
 {
   const EdgeUse *u = d->uses.use;
   while (u[i].elem < d->ids.surface0) i++;
   ElemType type;
   const uint32_t *v = elem_ids_nodes(&d->ids, d->m, u[i].elem, &type);
-  int n = elem_corners(type), c = 0;
-  while (!((v[c] == u[i].lower && v[(c + 1) % n] == u[i].upper) || (v[c] == u[i].upper && v[(c + 1) % n] == u[i].lower))) c++;
+  int n = elem_corners(type), c = corner_of_edge(v, n, u[i].lower, u[i].upper);
   uint32_t set = part_of(d, u[i].elem);
   for (size_t k = i + 1; k < j; k++) set = part_sets__union(&d->sets, set, part_of(d, u[k].elem));
-  vec_push(&d->seams.link, ((Link){{v[c], v[(c + 1) % n]}, d->piece[2].data[d->of[u[i].elem]].entity, set, line_type(type), u[i].elem, NONE}));
+  vec_push(&d->seams.link, ((Link){{v[c], v[(c + 1) % n]},
+                                   d->piece[2].data[d->of[u[i].elem]].entity,
+                                   set,
+                                   line_type(type),
+                                   u[i].elem,
+                                   NONE}));
 }
 
 // Edges whose surface elements are of different parts.
@@ -51,7 +67,8 @@ static void add_seams(Division *d)
     j = edge_uses_end(&d->uses, i);
     uint32_t last = u[j - 1].elem; // surface elements stand last
     bool differ = false;
-    for (size_t k = j - 1; k-- > i && u[k].elem >= d->ids.surface0;) differ |= part_of(d, u[k].elem) != part_of(d, last);
+    for (size_t k = j - 1; k-- > i && u[k].elem >= d->ids.surface0;)
+      differ |= part_of(d, u[k].elem) != part_of(d, last);
     if (differ) add_seam(d, i, j);
   }
 }
@@ -68,15 +85,19 @@ static void index_links(Chains *c, size_t nnode)
   }
 }
 
-// ---- where pieces end ----------------------------------------------------------------------------------------------------
-static bool alike(const Link *a, const Link *b) { return a->entity == b->entity && a->set == b->set && a->type == b->type; }
+// ---- where pieces end ------------------------------------------------------------
+static bool alike(const Link *a, const Link *b)
+{
+  return a->entity == b->entity && a->set == b->set && a->type == b->type;
+}
 
 // Everywhere but where exactly two links meet that are alike.
 static bool is_end(const Chains *c, uint32_t node)
 {
   uint32_t a = c->first[node], b = a == NONE ? NONE : c->next[a];
   if (a == NONE) return false;
-  return b == NONE || c->next[b] != NONE || a / 2 == b / 2 || !alike(&c->link.data[a / 2], &c->link.data[b / 2]);
+  return b == NONE || c->next[b] != NONE || a / 2 == b / 2 ||
+         !alike(&c->link.data[a / 2], &c->link.data[b / 2]);
 }
 
 // A seam may follow a curve, but ends where it meets or leaves one.
@@ -98,12 +119,12 @@ static void mark_ends(Division *d)
   const Mesh *m = d->m;
   for (uint32_t v = 0; v < m->nnode; v++) {
     bool linked = d->curves.first[v] != NONE || d->seams.first[v] != NONE;
-    d->ends[v] = linked && (m->entity[m->node_entity[v]].dim == 0 || is_end(&d->curves, v) || is_end(&d->seams, v) ||
-                            leaves_curve(d, v));
+    d->ends[v] = linked && (m->entity[m->node_entity[v]].dim == 0 || is_end(&d->curves, v) ||
+                            is_end(&d->seams, v) || leaves_curve(d, v));
   }
 }
 
-// ---- pieces --------------------------------------------------------------------------------------------------------------
+// ---- pieces ------------------------------------------------------------
 typedef struct {
   Division *d;
   Chains *c;
@@ -115,8 +136,7 @@ static void push_seam_nodes(Division *d, const Link *l)
 {
   ElemType type;
   const uint32_t *v = elem_ids_nodes(&d->ids, d->m, l->elem, &type);
-  int n = elem_corners(type), within = elem_order(type) - 1, c = 0;
-  while (!(v[c] == l->node[0] && v[(c + 1) % n] == l->node[1]) && !(v[c] == l->node[1] && v[(c + 1) % n] == l->node[0])) c++;
+  int n = elem_corners(type), within = elem_order(type) - 1, c = corner_of_edge(v, n, l->node[0], l->node[1]);
   vec_push(&d->node, l->node[0]);
   vec_push(&d->node, l->node[1]);
   for (int i = 0; i < within; i++)
@@ -128,7 +148,12 @@ static void walk(Walk *w, size_t link, int from)
 {
   Division *d = w->d;
   Link *l = &w->c->link.data[link];
-  Piece p = {.entity = l->entity, .set = l->set, .between = w->between, .type = l->type, .first = d->node.len, .ends = {NONE, NONE}};
+  Piece p = {.entity = l->entity,
+             .set = l->set,
+             .between = w->between,
+             .type = l->type,
+             .first = d->node.len,
+             .ends = {NONE, NONE}};
   uint32_t piece = (uint32_t)d->piece[1].len, begin = l->node[from], end = begin;
   int entered = from;
   for (;;) {
@@ -152,7 +177,8 @@ static void walk(Walk *w, size_t link, int from)
     from = l->node[0] == end ? 0 : 1;
   }
   bool forwards = w->between || entered == 0;
-  if (d->ends[begin]) p.ends[forwards ? 0 : 1] = begin; // nodes for now: pieces of points are still to be made
+  if (d->ends[begin])
+    p.ends[forwards ? 0 : 1] = begin; // nodes for now: pieces of points are still to be made
   if (d->ends[end]) p.ends[forwards ? 1 : 0] = end;
   vec_push(&d->piece[1], p);
 }
@@ -193,7 +219,8 @@ void division__curves(Division *d)
   }
   mark_ends(d);
   for (size_t i = 0, j; i < d->curves.link.len; i = j) {
-    for (j = i; j < d->curves.link.len && d->curves.link.data[j].entity == d->curves.link.data[i].entity;) j++;
+    for (j = i; j < d->curves.link.len && d->curves.link.data[j].entity == d->curves.link.data[i].entity;)
+      j++;
     walk_all(&(Walk){d, &d->curves, false}, i, j);
   }
   walk_all(&(Walk){d, &d->seams, true}, 0, d->seams.link.len);

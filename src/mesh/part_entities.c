@@ -11,7 +11,7 @@ static void copy_ints(IntVec *to, const IntVec *from)
   for (size_t i = 0; i < from->len; i++) vec_push(to, from->data[i]);
 }
 
-// ---- division ----------------------------------------------------------------------------------------------------------
+// ---- division ------------------------------------------------------------
 static uint32_t *new_none(size_t n)
 {
   uint32_t *a = mem_alloc(n * sizeof *a);
@@ -60,12 +60,12 @@ static void division_free(Division *d)
   vec_free(&d->bound);
 }
 
-// ---- entities ------------------------------------------------------------------------------------------------------------
+// ---- entities ------------------------------------------------------------
 typedef struct {
   const Division *d;
   Mesh *out;
-  uint32_t *entity;   // of m's, their index now
-  uint32_t first[3];  // index of the first piece of each dimension
+  uint32_t *entity;  // of m's, their index now
+  uint32_t first[3]; // index of the first piece of each dimension
   int first_tag[3];
 } Assembly;
 
@@ -123,7 +123,7 @@ static void make_entities(Assembly *a)
   add_bounds(a);
 }
 
-// ---- groups of parts ------------------------------------------------------------------------------------------------------
+// ---- groups of parts ------------------------------------------------------------
 static void piece_group_name(Str *s, const MeshEntity *e, int physical)
 {
   s->len = 0;
@@ -172,7 +172,7 @@ static void make_groups(const Assembly *a)
   str_free(&name);
 }
 
-// ---- elements --------------------------------------------------------------------------------------------------------------
+// ---- elements ------------------------------------------------------------
 // Elements of one block of m, or of none, on one piece.
 typedef struct {
   uint32_t entity, block, piece; // index in out; block of m or NONE; piece of its dimension
@@ -208,7 +208,9 @@ static Shares list_shares(const Assembly *a)
     for (size_t i = 0; i < m->block[b].n; i++) {
       uint32_t piece = d->of[d->ids.base[b] + i];
       bool added = false;
-      uint32_t at = s.len > first && vec_last(&s).piece == piece ? (uint32_t)s.len - 1 : *map_slot(&seen, piece, (uint32_t)s.len, &added);
+      uint32_t at = s.len > first && vec_last(&s).piece == piece
+                        ? (uint32_t)s.len - 1
+                        : *map_slot(&seen, piece, (uint32_t)s.len, &added);
       if (added) vec_push(&s, ((Share){a->first[dim] + piece, b, piece, m->block[b].type, 0, NONE}));
       s.data[at].n++;
     }
@@ -223,7 +225,8 @@ static Shares list_shares(const Assembly *a)
 }
 
 // The elements of block b go to the blocks of the shares.
-static void deal(const Assembly *a, uint32_t b, const Share *share, size_t n, uint32_t *block_of, size_t *filled)
+static void deal(const Assembly *a, uint32_t b, const Share *share, size_t n, uint32_t *block_of,
+                 size_t *filled)
 {
   const MeshBlock *from = &a->d->m->block[b];
   size_t nodes = (size_t)elem_nodes(from->type);
@@ -247,10 +250,12 @@ static void make_blocks(const Assembly *a)
     MeshBlock *k = &a->out->block[h->to];
     if (h->block != NONE) k->part = mem_alloc(h->n * sizeof *k->part);
     if (h->block == NONE)
-      memcpy(k->node, d->node.data + d->piece[elem_dim(h->type)].data[h->piece].first, h->n * (size_t)elem_nodes(h->type) * sizeof *k->node);
+      memcpy(k->node, d->node.data + d->piece[elem_dim(h->type)].data[h->piece].first,
+             h->n * (size_t)elem_nodes(h->type) * sizeof *k->node);
   }
   if (s.len) qsort(s.data, s.len, sizeof *s.data, block_order);
-  size_t most = MAX(d->piece[0].len, MAX(d->piece[1].len, d->piece[2].len)), *filled = mem_zalloc(a->out->nblock * sizeof *filled);
+  size_t most = MAX(d->piece[0].len, MAX(d->piece[1].len, d->piece[2].len)),
+         *filled = mem_zalloc(a->out->nblock * sizeof *filled);
   uint32_t *block_of = mem_alloc(most * sizeof *block_of);
   for (size_t i = 0, j; i < s.len && s.data[i].block != NONE; i = j) {
     for (j = i; j < s.len && s.data[j].block == s.data[i].block;) j++;
@@ -261,7 +266,7 @@ static void make_blocks(const Assembly *a)
   vec_free(&s);
 }
 
-// ---- the rest ----------------------------------------------------------------------------------------------------------------
+// ---- the rest ------------------------------------------------------------
 static void copy_nodes(const Assembly *a)
 {
   const Mesh *m = a->d->m;
@@ -280,7 +285,8 @@ static void copy_nodes(const Assembly *a)
 
 static void copy_groups_and_pairs(Mesh *out, const Mesh *m)
 {
-  for (size_t i = 0; i < m->ngroup; i++) mesh_add_group(out, m->group[i].dim, m->group[i].tag, m->group[i].name);
+  for (size_t i = 0; i < m->ngroup; i++)
+    mesh_add_group(out, m->group[i].dim, m->group[i].tag, m->group[i].name);
   out->volumes_grouped = m->volumes_grouped;
   for (size_t i = 0; i < m->nperiodic; i++) {
     const MeshPeriodic *from = &m->periodic[i];

@@ -26,9 +26,9 @@ static inline const uint32_t *part_sets__at(const PartSets *s, uint32_t set, uin
 
 // An entity of parts in the making.
 typedef struct {
-  uint32_t entity;  // of m: its parent
-  uint32_t set;     // its parts
-  bool between;     // it lies between parts, and has the elements node[first ..] of type `type`
+  uint32_t entity; // of m: its parent
+  uint32_t set;    // its parts
+  bool between;    // it lies between parts, and has the elements node[first ..] of type `type`
   ElemType type;
   size_t first, n;  // in nodes; in elements
   uint32_t ends[2]; // of a curve: pieces of dimension 0 it runs from and to; NONE if it is closed or has none
@@ -43,7 +43,8 @@ typedef struct {
   uint32_t piece;       // once known
 } Link;
 
-// Links with, per node, those there: first[v], then next[2 * link + end] coded alike as 2 * link + end; in order of the links.
+// Links with, per node, those there: first[v], then next[2 * link + end] coded alike as 2 * link + end; in
+// order of the links.
 typedef struct {
   Vec(Link) link;
   uint32_t *first, *next;
@@ -61,10 +62,10 @@ typedef struct {
   ElemIds ids;
   EdgeUses uses;
   PartSets sets;
-  Vec(Piece) piece[3]; // by dimension
-  uint32_t *of;        // per element: its piece
-  uint32_t *node_piece;// per node: the piece it is classified on, or NONE
-  uint8_t *node_dim;   // and that one's dimension
+  Vec(Piece) piece[3];  // by dimension
+  uint32_t *of;         // per element: its piece
+  uint32_t *node_piece; // per node: the piece it is classified on, or NONE
+  uint8_t *node_dim;    // and that one's dimension
   Chains curves, seams;
   bool *ends;          // per node: pieces of curves and seams end here
   uint32_t *end_piece; // per node: piece of dimension 0 that seams end at; NONE: they do not

@@ -1,4 +1,4 @@
-// part_nodes.c - what the parts of a partitioned mesh share: nodes of several parts, and elements beside other parts (ghosts)
+// part_nodes.c - what parts of a mesh share: nodes of several parts, and elements beside others (ghosts)
 // SPDX-License-Identifier: MIT
 #include "base/base.h"
 

@@ -1,4 +1,4 @@
-// part_nodes.h - what the parts of a partitioned mesh share: nodes of several parts, and elements beside other parts (ghosts)
+// part_nodes.h - what parts of a mesh share: nodes of several parts, and elements beside others (ghosts)
 // SPDX-License-Identifier: MIT
 #ifndef MESH_PART_NODES_H
 #define MESH_PART_NODES_H
@@ -7,9 +7,9 @@
 
 // The parts of the elements of the mesh's largest dimension around each corner node.
 typedef struct {
-  int dim;         // of these elements
-  uint32_t *of;    // per node: 0 none, its only part, or PART_NODES_SEVERAL and where they begin in `list`
-  U32Vec list;     // of each node of several: how many, then the parts, ascending
+  int dim;      // of these elements
+  uint32_t *of; // per node: 0 none, its only part, or PART_NODES_SEVERAL and where they begin in `list`
+  U32Vec list;  // of each node of several: how many, then the parts, ascending
 } PartNodes;
 
 #define PART_NODES_SEVERAL 0x80000000u

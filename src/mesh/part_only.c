@@ -12,7 +12,7 @@ typedef struct {
   uint32_t *local;  // of m's nodes, NONE if not (yet) there
   U32Vec node;      // m's nodes in the new mesh
   const Ghosts *ghosts;
-  size_t ghost;     // the next one
+  size_t ghost; // the next one
 } Extract;
 
 static bool in_part(const MeshEntity *e, uint32_t part)
@@ -32,7 +32,8 @@ static void keep_bounds_here(const Mesh *m, MeshEntity *e)
 {
   size_t kept = 0;
   for (size_t i = 0; i < e->boundary.len; i++)
-    if (mesh_find_entity(m, e->dim - 1, abs(e->boundary.data[i])) != NONE) e->boundary.data[kept++] = e->boundary.data[i];
+    if (mesh_find_entity(m, e->dim - 1, abs(e->boundary.data[i])) != NONE)
+      e->boundary.data[kept++] = e->boundary.data[i];
   e->boundary.len = kept;
 }
 
@@ -62,7 +63,8 @@ static uint32_t local_node(Extract *x, uint32_t node, uint32_t entity)
   uint32_t own = x->entity[x->m->node_entity[node]];
   bool here = own != NONE;
   vec_push(&x->node, node);
-  return x->local[node] = mesh_add_node(x->out->mesh, mesh_xyz(x->m, node), here ? own : entity, here ? x->m->node_u[node] : NAN);
+  return x->local[node] = mesh_add_node(x->out->mesh, mesh_xyz(x->m, node), here ? own : entity,
+                                        here ? x->m->node_u[node] : NAN);
 }
 
 static void take_element(Extract *x, const MeshBlock *from, size_t i, uint32_t entity, uint32_t *to)
@@ -75,11 +77,12 @@ static void take_element(Extract *x, const MeshBlock *from, size_t i, uint32_t e
 static void carry_ghost(Extract *x, uint32_t block, size_t index, uint32_t to_block, size_t to_index)
 {
   const Ghosts *g = x->ghosts;
-  while (g && x->ghost < g->cell.len && (g->cell.data[x->ghost].block < block || (g->cell.data[x->ghost].block == block &&
-                                                                                 g->cell.data[x->ghost].index < index)))
-    x->ghost++;
-  if (!g || x->ghost == g->cell.len || g->cell.data[x->ghost].block != block || g->cell.data[x->ghost].index != index) return;
-  const GhostCell *c = &g->cell.data[x->ghost];
+  const GhostCell *c = NULL;
+  for (; g && x->ghost < g->cell.len; x->ghost++) {
+    c = &g->cell.data[x->ghost];
+    if (c->block > block || (c->block == block && c->index >= index)) break;
+  }
+  if (!g || x->ghost == g->cell.len || c->block != block || c->index != index) return;
   Ghosts *to = &x->out->ghosts;
   vec_push(&to->cell, ((GhostCell){to_block, (uint32_t)to_index, (uint32_t)to->part.len, c->n}));
   for (uint32_t i = 0; i < c->n; i++) vec_push(&to->part, g->part.data[c->first + i]);
@@ -133,7 +136,8 @@ static void add_ghosts(Extract *x, const Ghosts *g, int tag)
     vec_push(&out->entity[entity].parts, (int)x->part);
     for (ElemType type = ELEM_LINE2; type <= ELEM_QUAD12; type++) {
       size_t count = 0, n = (size_t)elem_nodes(type);
-      for (size_t i = 0; i < cell.len; i++) count += x->m->block[g->cell.data[cell.data[i]].block].type == type;
+      for (size_t i = 0; i < cell.len; i++)
+        count += x->m->block[g->cell.data[cell.data[i]].block].type == type;
       if (!count) continue;
       uint32_t k = mesh_add_block(out, entity, type, count), *to = out->block[k].node;
       vec_push(&x->out->block_of, NONE);
@@ -169,13 +173,20 @@ static void copy_pairs(Extract *x)
   }
 }
 
-void mesh_part_only(PartOnly *out, const Mesh *m, uint32_t part, const Ghosts *ghosts, int ghost_tag, uint32_t *local)
+void mesh_part_only(PartOnly *out, const Mesh *m, uint32_t part, const Ghosts *ghosts, int ghost_tag,
+                    uint32_t *local)
 {
   *out = (PartOnly){.mesh = mesh_new()};
-  Extract x = {.out = out, .m = m, .part = part, .ghosts = ghosts, .entity = mem_alloc(m->nentity * sizeof(uint32_t)), .local = local};
+  Extract x = {.out = out,
+               .m = m,
+               .part = part,
+               .ghosts = ghosts,
+               .entity = mem_alloc(m->nentity * sizeof(uint32_t)),
+               .local = local};
   out->mesh->nparts = m->nparts;
   copy_entities(&x);
-  for (size_t g = 0; g < m->ngroup; g++) mesh_add_group(out->mesh, m->group[g].dim, m->group[g].tag, m->group[g].name);
+  for (size_t g = 0; g < m->ngroup; g++)
+    mesh_add_group(out->mesh, m->group[g].dim, m->group[g].tag, m->group[g].name);
   out->mesh->volumes_grouped = m->volumes_grouped;
   for (uint32_t b = 0; b < m->nblock; b++) copy_block(&x, b);
   if (ghosts && ghost_tag) add_ghosts(&x, ghosts, ghost_tag);

@@ -1,4 +1,4 @@
-// part_points.c - nodes of a partitioned mesh onto the pieces of its entities, and points where pieces and seams end
+// part_points.c - nodes onto the pieces of entities, and points where pieces and seams end
 // SPDX-License-Identifier: MIT
 #include "base/base.h"
 
@@ -22,7 +22,8 @@ static void on_surfaces(Division *d)
     for (size_t i = 0; i < k->n; i++)
       for (size_t c = 0; c < nodes; c++) {
         uint32_t v = k->node[i * nodes + c], now = d->node_piece[v];
-        if (now == NONE || (m->node_entity[v] == k->entity && d->piece[2].data[now].entity != k->entity)) put(d, v, 2, of[i]);
+        if (now == NONE || (m->node_entity[v] == k->entity && d->piece[2].data[now].entity != k->entity))
+          put(d, v, 2, of[i]);
       }
   }
 }
@@ -52,7 +53,7 @@ static void on_curves(Division *d)
   }
 }
 
-// ---- points ------------------------------------------------------------------------------------------------------------
+// ---- points ------------------------------------------------------------
 static uint32_t point_piece(Division *d, Map *seen, uint32_t entity, uint32_t set)
 {
   bool added;
@@ -91,15 +92,22 @@ static uint32_t parts_at(Division *d, const Chains *c, uint32_t node)
   return set;
 }
 
-// The points at which pieces and seams end, on the curve or surface they lie on. A point of the model has one of its own for seams.
+// The points at which pieces and seams end, on the curve or surface they lie on. A point of the model has one
+// of its own for seams.
 static void add_end(Division *d, uint32_t v)
 {
   uint32_t line = d->curves.first[v], seam = d->seams.first[v], entity = d->m->node_entity[v];
   bool of_model = d->m->entity[entity].dim == 0;
   if (of_model && seam == NONE) return;
   uint32_t set = parts_at(d, seam != NONE ? &d->seams : &d->curves, v), piece = (uint32_t)d->piece[0].len;
-  if (of_model) entity = line != NONE ? d->curves.link.data[line / 2].entity : d->seams.link.data[seam / 2].entity;
-  vec_push(&d->piece[0], ((Piece){.entity = entity, .set = set, .between = true, .type = ELEM_POINT, .first = d->node.len, .n = 1,
+  if (of_model)
+    entity = line != NONE ? d->curves.link.data[line / 2].entity : d->seams.link.data[seam / 2].entity;
+  vec_push(&d->piece[0], ((Piece){.entity = entity,
+                                  .set = set,
+                                  .between = true,
+                                  .type = ELEM_POINT,
+                                  .first = d->node.len,
+                                  .n = 1,
                                   .ends = {NONE, NONE}}));
   vec_push(&d->node, v);
   d->end_piece[v] = piece;

@@ -87,7 +87,7 @@ void division__surfaces(Division *d)
   vec_free(&pieces);
 }
 
-// ---- bounds ----------------------------------------------------------------------------------------------------------------
+// ---- bounds ------------------------------------------------------------
 // Does the element run the edge from node a to node b?
 static bool runs(const Division *d, uint32_t elem, uint32_t a, uint32_t b)
 {
@@ -112,7 +112,8 @@ static void bound_edge(Division *d, size_t i, size_t j, const Link *seam)
   for (size_t k = i; k < j; k++) {
     if (u[k].elem < d->ids.surface0) continue;
     bool inner = false;
-    for (size_t q = i; q < j; q++) inner |= q != k && u[q].elem >= d->ids.surface0 && d->of[u[q].elem] == d->of[u[k].elem];
+    for (size_t q = i; q < j; q++)
+      inner |= q != k && u[q].elem >= d->ids.surface0 && d->of[u[q].elem] == d->of[u[k].elem];
     if (inner) continue;
     if (seam) add_bound(d, u[k].elem, seam);
     for (size_t q = i; q < j && u[q].elem < d->ids.surface0; q++)
@@ -142,6 +143,7 @@ void division__bounds(Division *d)
   if (d->bound.len) qsort(d->bound.data, d->bound.len, sizeof *d->bound.data, bound_order);
   size_t kept = 0;
   for (size_t i = 0; i < d->bound.len; i++)
-    if (!kept || memcmp(&d->bound.data[kept - 1], &d->bound.data[i], sizeof *d->bound.data) != 0) d->bound.data[kept++] = d->bound.data[i];
+    if (!kept || memcmp(&d->bound.data[kept - 1], &d->bound.data[i], sizeof *d->bound.data) != 0)
+      d->bound.data[kept++] = d->bound.data[i];
   d->bound.len = kept;
 }

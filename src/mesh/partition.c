@@ -22,10 +22,10 @@ void mesh_unpartition(Mesh *m)
 
 static int weight_of(ElemType t, const Options *o)
 {
-  int w = elem_dim(t) == 1          ? o->Mesh_PartitionLineWeight
-          : elem_corners(t) == 3    ? o->Mesh_PartitionTriWeight
-          : elem_corners(t) == 4    ? o->Mesh_PartitionQuadWeight
-                                    : 1;
+  int w = elem_dim(t) == 1       ? o->Mesh_PartitionLineWeight
+          : elem_corners(t) == 3 ? o->Mesh_PartitionTriWeight
+          : elem_corners(t) == 4 ? o->Mesh_PartitionQuadWeight
+                                 : 1;
   return w < 0 ? 1 : w;
 }
 
@@ -70,7 +70,8 @@ static void set_options(idx_t to[METIS_NOPTIONS], const CellGraph *g, bool kway,
   if (kway) to[METIS_OPTION_CONTIG] = is_connected(g); // METIS stops at graphs that are not
 }
 
-// METIS draws from the C library's one generator, which it seeds, and takes over signal handlers: one call at a time.
+// METIS draws from the C library's one generator, which it seeds, and takes over signal handlers: one call at
+// a time.
 static pthread_mutex_t metis_lock = PTHREAD_MUTEX_INITIALIZER;
 
 static bool run_metis(Parts *p, const Options *o, Diag *d)
@@ -82,11 +83,13 @@ static bool run_metis(Parts *p, const Options *o, Diag *d)
   // METIS does not change its input, though it does not say so.
   idx_t *start = (idx_t *)g->start, *next = (idx_t *)g->next, *weight = (idx_t *)(uintptr_t)p->weight;
   pthread_mutex_lock(&metis_lock);
-  int status = (kway ? METIS_PartGraphKway : METIS_PartGraphRecursive)(
-      &vertices, &constraints, start, next, weight, NULL, NULL, &parts, NULL, NULL, options, &cut, (idx_t *)p->part);
+  int status = (kway ? METIS_PartGraphKway : METIS_PartGraphRecursive)(&vertices, &constraints, start, next,
+                                                                       weight, NULL, NULL, &parts, NULL, NULL,
+                                                                       options, &cut, (idx_t *)p->part);
   pthread_mutex_unlock(&metis_lock);
   if (status == METIS_OK) return true;
-  diag_error(d, NO_LOC, "METIS cannot partition this mesh in %u parts%s", p->n, status == METIS_ERROR_MEMORY ? ": out of memory" : "");
+  diag_error(d, NO_LOC, "METIS cannot partition this mesh in %u parts%s", p->n,
+             status == METIS_ERROR_MEMORY ? ": out of memory" : "");
   return false;
 }
 
@@ -124,8 +127,10 @@ bool mesh_partition(Mesh *m, int n, const Options *o, Diag *d)
     return true;
   }
   if (o->Mesh_MetisObjective == 2 && o->Mesh_MetisAlgorithm == 1) {
-    diag_error(d, NO_LOC, "METIS has communication as the objective (Mesh.MetisObjective = 2) in its k-way algorithm only: set "
-               "Mesh.MetisAlgorithm = 2");
+    diag_error(
+        d, NO_LOC,
+        "METIS has communication as the objective (Mesh.MetisObjective = 2) in its k-way algorithm only: set "
+        "Mesh.MetisAlgorithm = 2");
     return false;
   }
   ElemIds ids;
@@ -155,7 +160,8 @@ static bool is_complete(const Mesh *m, int least_dim)
 {
   bool complete = true;
   for (size_t b = 0; b < m->nblock; b++)
-    for (size_t i = 0; elem_dim(m->block[b].type) >= least_dim && i < m->block[b].n; i++) complete = complete && m->block[b].part[i];
+    for (size_t i = 0; elem_dim(m->block[b].type) >= least_dim && i < m->block[b].n; i++)
+      complete = complete && m->block[b].part[i];
   return complete;
 }
 

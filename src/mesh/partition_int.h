@@ -13,14 +13,18 @@ typedef struct {
   const int32_t *weight;
 } Parts;
 
-static inline uint64_t parts__weight(const Parts *p, size_t cell) { return p->weight ? (uint64_t)p->weight[cell] : 1; }
+static inline uint64_t parts__weight(const Parts *p, size_t cell)
+{
+  return p->weight ? (uint64_t)p->weight[cell] : 1;
+}
 // Weight of each part; the caller frees.
 uint64_t *parts__weights(const Parts *p);
 
-// Give each empty part a cell of the heaviest one, which stays connected if it was. There are at least n cells.
+// Give each empty part a cell of the heaviest one, which stays connected if it was. There are at least n
+// cells.
 void parts__fill_empty(Parts *p);
-// Let pieces that are apart from the heaviest of their part join the neighbour they share most edges with, if that does not
-// become heavier than `limit`, or than the heaviest part is now.
+// Let pieces that are apart from the heaviest of their part join the neighbour they share most edges with, if
+// that does not become heavier than `limit`, or than the heaviest part is now.
 void parts__join_pieces(Parts *p, double limit);
 
 #endif

@@ -13,7 +13,8 @@ uint64_t *parts__weights(const Parts *p)
   return w;
 }
 
-// The last cell that a search through a part reaches from its first cell: without it, what the search reached hangs together.
+// The last cell that a search through a part reaches from its first cell: without it, what the search reached
+// hangs together.
 static uint32_t last_reached(const Parts *p, uint32_t part, uint32_t *queue, bool *seen)
 {
   uint32_t first = 0;
@@ -52,16 +53,16 @@ void parts__fill_empty(Parts *p)
   free(seen);
 }
 
-// ---- pieces apart --------------------------------------------------------------------------------------------------------
+// ---- pieces apart ------------------------------------------------------------
 typedef struct {
   Parts *p;
   double limit;
-  uint64_t *weight;      // of parts
-  uint32_t *component, n;// of cells; components in all
-  uint64_t *size;        // weight of components
-  uint32_t *main;        // per part: its heaviest component
-  uint32_t *first, *next;// cells of a component, as lists
-  uint32_t *shared;      // per part, all 0 between uses: edges shared with the piece at hand
+  uint64_t *weight;       // of parts
+  uint32_t *component, n; // of cells; components in all
+  uint64_t *size;         // weight of components
+  uint32_t *main;         // per part: its heaviest component
+  uint32_t *first, *next; // cells of a component, as lists
+  uint32_t *shared;       // per part, all 0 between uses: edges shared with the piece at hand
 } Pieces;
 
 static void find_pieces(Pieces *s)

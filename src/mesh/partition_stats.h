@@ -16,13 +16,13 @@ typedef struct {
 
 typedef struct {
   uint32_t n;
-  PartInfo *part;        // of part 1, 2, ...
-  size_t least, most;    // elements of a part
-  double mean, imbalance;// most / mean - 1
-  size_t cut;            // edges between elements of different parts
-  size_t shared_nodes;   // corner nodes of several parts
-  uint32_t neighbours;   // the most that a part has
-  uint32_t pieces;       // of all parts; n if each hangs together
+  PartInfo *part;         // of part 1, 2, ...
+  size_t least, most;     // elements of a part
+  double mean, imbalance; // most / mean - 1
+  size_t cut;             // edges between elements of different parts
+  size_t shared_nodes;    // corner nodes of several parts
+  uint32_t neighbours;    // the most that a part has
+  uint32_t pieces;        // of all parts; n if each hangs together
 } PartitionStats;
 
 // m is partitioned. O(n). Release with partition_stats_free.

@@ -96,7 +96,8 @@ void cells_import(Cells *c, Import *im)
   if (!im->s->failed && n && c->offset.len != n + 1) scan_error(im->s, "%zu cells, but types for %zu", c->offset.len ? c->offset.len - 1 : 0, n);
   if (!im->s->failed && c->group.len && c->group.len != n) scan_error(im->s, "groups for %zu of %zu cells", c->group.len, n);
   if (!im->s->failed && c->entity.len && c->entity.len != n) scan_error(im->s, "entities for %zu of %zu cells", c->entity.len, n);
-  if (!im->s->failed && c->part.len && c->part.len != n) scan_error(im->s, "parts for %zu of %zu cells", c->part.len, n);
+  if (!im->s->failed && c->part.len && c->part.len != n)
+    scan_error(im->s, "parts for %zu of %zu cells", c->part.len, n);
   if (!im->s->failed) {
     import_reserve_nodes(im, c->point.len / 3);
     for (size_t i = 0; i + 2 < c->point.len; i += 3) {

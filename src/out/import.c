@@ -98,7 +98,8 @@ static ImportRun *run_for(Import *im, ElemType type, int entity, int physical)
 {
   if (im->run.len) {
     ImportRun *r = &vec_last(&im->run);
-    if (!r->own && r->type == type && r->entity == entity && r->physical == physical && r->part == im->part) return r;
+    if (!r->own && r->type == type && r->entity == entity && r->physical == physical && r->part == im->part)
+      return r;
   }
   vec_push(&im->run, ((ImportRun){elem_dim(type), entity, physical, type, 0, im->node.len, NULL, im->part}));
   return &vec_last(&im->run);
@@ -260,7 +261,8 @@ static void add_merged(Import *im, Merged *out, const Copy *c, int tag)
 {
   ElemType type = im->run.data[c->run].type;
   uint32_t part = im->run.data[c->run].part;
-  if (!out->run.len || vec_last(&out->run).type != type || vec_last(&out->run).entity != tag || vec_last(&out->run).part != part)
+  const ImportRun *last = out->run.len ? &vec_last(&out->run) : NULL;
+  if (!last || last->type != type || last->entity != tag || last->part != part)
     vec_push(&out->run, ((ImportRun){elem_dim(type), tag, 0, type, 0, out->node.len, NULL, part}));
   copy_out(im, &out->node, &vec_last(&out->run), c);
 }
@@ -580,7 +582,8 @@ Mesh *import_finish(Import *im)
     im->number.data = NULL;
     m->nparts = im->nparts;
     if (m->nparts && !mesh_complete_parts(m))
-      diag_warning(im->s->diag, NO_LOC, "%s: not every element is in a part, so the parts are left out", im->s->name);
+      diag_warning(im->s->diag, NO_LOC, "%s: not every element is in a part, so the parts are left out",
+                   im->s->name);
     if (im->volumes)
       diag_warning(im->s->diag, NO_LOC, "%s: %zu elements of dimension 3 are left out", im->s->name, im->volumes);
   }

@@ -35,7 +35,7 @@ typedef struct {
   Vec(ImportRun) run;
   Vec(MeshEntity) entity;   // that the file describes
   size_t volumes;           // elements of dimension 3, left out
-  uint32_t part, nparts;    // of the elements to come; the largest so far: both 0 in a mesh that is not in parts
+  uint32_t part, nparts;    // of the elements to come; the largest so far: 0 in a mesh that is not in parts
 } Import;
 
 void import_begin(Import *im, Scan *s);

@@ -120,7 +120,10 @@ static char *put_parameter(char *p, const Mesh *m, uint32_t node)
 static char *put_nodes(char *p, const void *ctx, size_t from, size_t to)
 {
   const Selection *s = ctx;
-  for (size_t k = from; k < to; k++) p = put_char(put_xyz(put_char(put_u64(p, s->number[s->node[k]] + s->node0), ' '), select__xyz(s, k)), '\n');
+  for (size_t k = from; k < to; k++) {
+    p = put_u64(p, s->number[s->node[k]] + s->node0);
+    p = put_char(put_xyz(put_char(p, ' '), select__xyz(s, k)), '\n');
+  }
   return p;
 }
 

@@ -9,13 +9,16 @@
 typedef struct {
   const MeshBlock *block;
   const MeshEntity *entity;
-  int copies;                      // how often each element is written
-  bool grouped;                    // physical tags are written
+  int copies;   // how often each element is written
+  bool grouped; // physical tags are written
   uint8_t reversed[ELEM_MAX_NODES];
   int nodes;
 } Run;
 
-static inline int physical_of(const Run *r, int copy) { return r->grouped ? r->entity->physical.data[copy] : 0; }
+static inline int physical_of(const Run *r, int copy)
+{
+  return r->grouped ? r->entity->physical.data[copy] : 0;
+}
 
 // The elements of a mesh in parts, numbered from `number` on (msh2_part.c).
 void msh2_part__write_run(Writer *w, const Selection *s, const Run *r, uint64_t number, bool binary);

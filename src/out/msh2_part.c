@@ -1,7 +1,8 @@
 // msh2_part.c - elements of MSH 2.2 files of meshes in parts
 // SPDX-License-Identifier: MIT
 //
-// After group and entity stand the number of parts, the element's own, and with a minus sign those that see it as a ghost cell.
+// After group and entity stand the number of parts, the element's own, and with a minus sign those that see
+// it as a ghost cell.
 #include "base/base.h"
 
 #include "out/msh2_int.h"
@@ -97,7 +98,8 @@ static char *put_binary_elements(char *p, const void *ctx, size_t from, size_t t
     p = put32(p, r->entity->tag);
     p = put32(p, (int32_t)(1 + ghosts));
     p = put32(p, (int32_t)r->block->part[i]);
-    for (uint32_t g = 0; g < ghosts; g++) p = put32(p, -(int32_t)t->s->parts->ghosts->part.data[ghost->first + g]);
+    for (uint32_t g = 0; g < ghosts; g++)
+      p = put32(p, -(int32_t)t->s->parts->ghosts->part.data[ghost->first + g]);
     for (int c = 0; c < r->nodes; c++)
       p = put32(p, (int32_t)(t->s->number[node[phys < 0 ? r->reversed[c] : c]] + t->s->node0));
   }
@@ -126,7 +128,8 @@ static void write_binary(Writer *w, PartItems *t)
     const GhostCell *ghost = ghost_at(t, &at, i), *next;
     uint32_t ghosts = ghost ? ghost->n : 0;
     for (j = i + 1; j < n && ((next = ghost_at(t, &at, j)) ? next->n : 0) == ghosts;) j++;
-    const int32_t head[3] = {(int32_t)t->run->block->type, (int32_t)((j - i) * copies), (int32_t)(4 + ghosts)};
+    const int32_t head[3] = {(int32_t)t->run->block->type, (int32_t)((j - i) * copies),
+                             (int32_t)(4 + ghosts)};
     writer_bytes(w, head, sizeof head);
     write_items(w, t, i * copies, j * copies, ghosts, put_binary_elements);
   }

@@ -46,7 +46,10 @@ typedef struct {
   bool parameter;
 } NodeItems;
 
-static uint64_t number_of(const NodeItems *t, size_t k) { return t->s->number[t->s->node[t->from + k]] + t->s->node0; }
+static uint64_t number_of(const NodeItems *t, size_t k)
+{
+  return t->s->number[t->s->node[t->from + k]] + t->s->node0;
+}
 
 static char *put_numbers(char *p, const void *ctx, size_t from, size_t to)
 {

@@ -75,7 +75,8 @@ static void write_all_ghosts(Enc *e, const Selection *s)
   end_line(e);
   for (size_t i = 0; i < g->cell.len; i++) {
     const GhostCell *c = &g->cell.data[i];
-    write_ghost(e, first[c->block] + c->index, m->block[c->block].part[c->index], g->part.data + c->first, c->n);
+    write_ghost(e, first[c->block] + c->index, m->block[c->block].part[c->index], g->part.data + c->first,
+                c->n);
   }
   free(first);
 }
@@ -89,7 +90,8 @@ static void write_own_ghosts(Enc *e, const Selection *s)
     if (p->first[i] == UINT64_MAX) n += s->mesh->block[s->block[i]].n;
   put_size(e, n);
   end_line(e);
-  for (size_t i = 0; i < n; i++) write_ghost(e, p->ghost_number[i] + s->elem0, p->ghost_owner[i], &p->part, 1);
+  for (size_t i = 0; i < n; i++)
+    write_ghost(e, p->ghost_number[i] + s->elem0, p->ghost_owner[i], &p->part, 1);
 }
 
 void msh4_part__write_ghosts(Enc *e, const Selection *s)

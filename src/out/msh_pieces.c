@@ -52,7 +52,8 @@ void msh_pieces__read(Reader *r)
   for (int dim = 0; dim < 4; dim++) count[dim] = get_count(r, 8, 40, "entities");
   for (int dim = 0; dim < 4; dim++)
     for (size_t i = 0; i < count[dim] && !r->s->failed; i++) read_piece(r, dim);
-  // Ghost entities are told by their tags alone: they are of the largest dimension that has elements, and named after all others.
+  // Ghost entities are told by their tags alone: they are of the largest dimension that has elements, and
+  // named after all others.
   for (size_t i = 0; i < ghost.len && !r->s->failed; i++)
     for (int dim = count[3] ? 3 : count[2] ? 2 : 1; dim >= 1; dim--)
       if (!msh_pieces__find(r, dim, ghost.data[i])) {

@@ -154,7 +154,8 @@ static void add_element2(Reader *r, int type, int64_t physical, int64_t entity)
   import_element(&r->im, (ElemType)type, (int)entity, (int)physical);
 }
 
-// The tags beyond group and entity: how many parts, the element's own, and those that see it as a ghost cell; before 2.2 the part alone.
+// The tags beyond group and entity: how many parts, the element's own, and those that see it as a ghost cell;
+// before 2.2 the part alone.
 static void set_part2(Reader *r, const int64_t tag[4], int64_t ntags)
 {
   if (r->version < 220)

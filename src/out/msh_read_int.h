@@ -1,4 +1,4 @@
-// msh_read_int.h - what the readers of MSH files share: the state, numbers in either encoding, entities of parts
+// msh_read_int.h - what the readers of MSH files share: state, numbers, entities of parts
 // SPDX-License-Identifier: MIT
 #ifndef OUT_MSH_READ_INT_H
 #define OUT_MSH_READ_INT_H
@@ -7,8 +7,8 @@
 #include "out/import.h"
 #include "out/out_int.h"
 
-// An entity of some parts of the mesh. What is on it goes to its parent, but for what is not the mesh's own: ghost cells, and what lies
-// between parts.
+// An entity of some parts of the mesh. What is on it goes to its parent, but for what is not the mesh's own:
+// ghost cells, and what lies between parts.
 typedef struct {
   int parent_dim, parent_tag;
   uint32_t part;
@@ -22,15 +22,18 @@ typedef struct {
 typedef struct {
   Scan *s;
   Import im;
-  Map pieces;        // piece_key -> index in piece
+  Map pieces; // piece_key -> index in piece
   Vec(Piece) piece;
   Vec(NodeRange) doubtful; // nodes on ghost cells: they stay if other elements have them
-  int version;       // 100 times the version: 100, 200, 220, 400, 410
+  int version;             // 100 times the version: 100, 200, 220, 400, 410
   bool nodes_seen;
 } Reader;
 
 // One number in either encoding.
-static inline int get_int(Reader *r, const char *what) { return r->s->binary ? scan_b32(r->s, what) : scan_int(r->s, what); }
+static inline int get_int(Reader *r, const char *what)
+{
+  return r->s->binary ? scan_b32(r->s, what) : scan_int(r->s, what);
+}
 static inline int64_t get_size(Reader *r, const char *what)
 {
   return r->s->binary ? (int64_t)scan_b64(r->s, what) : scan_i64(r->s, what);
@@ -41,7 +44,8 @@ static inline double get_double(Reader *r, const char *what)
 }
 static inline Vec3 get_point(Reader *r)
 {
-  double x = get_double(r, "a coordinate"), y = get_double(r, "a coordinate"), z = get_double(r, "a coordinate");
+  double x = get_double(r, "a coordinate"), y = get_double(r, "a coordinate"),
+         z = get_double(r, "a coordinate");
   return (Vec3){x, y, z};
 }
 // A count of things of at least `text` bytes each in ASCII and `bytes` in binary.
@@ -63,7 +67,8 @@ static inline void get_tags(Reader *r, IntVec *to, bool keep, const char *what)
 const Piece *msh_pieces__find(const Reader *r, int dim, int tag);
 // $PartitionedEntities.
 void msh_pieces__read(Reader *r);
-// The mesh, as import_finish has it, without what only pieces had: the nodes of ghost cells, groups of parts. Frees the pieces.
+// The mesh, as import_finish has it, without what only pieces had: the nodes of ghost cells, groups of parts.
+// Frees the pieces.
 Mesh *msh_pieces__finish(Reader *r);
 
 #endif

@@ -21,7 +21,7 @@ typedef struct {
   const Ghosts *ghosts;   // of the elements written, on the blocks of the mesh; NULL: none
   int ghost_tag;          // of the entity of ghost cells of part 1; those of others follow
   // Files of one part:
-  uint64_t *first;        // per saved block: the number of its first element less elem0; UINT64_MAX: ghost cells
+  uint64_t *first;        // per saved block: number of its first element less elem0; UINT64_MAX: ghost cells
   uint64_t *ghost_number; // the numbers of the ghost cells less elem0, in their order
   uint32_t *ghost_owner;  // and their parts
 } PartFile;
@@ -47,7 +47,8 @@ void select__free(Selection *s);
 
 // Write a selection as it is (formats.c), or a mesh in parts (parts.c).
 ExitCode format__write(const Format *f, const Selection *s, const char *path, const OutOptions *o, Diag *d);
-ExitCode parts__write(const Format *f, const Mesh *m, const char *path, const OutOptions *o, unsigned flags, Diag *d);
+ExitCode parts__write(const Format *f, const Mesh *m, const char *path, const OutOptions *o, unsigned flags,
+                      Diag *d);
 
 enum {
   FORMAT_ORPHANS = 1,  // writes nodes that no element uses, when everything is saved

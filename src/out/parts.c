@@ -1,4 +1,4 @@
-// parts.c - meshes in parts as files: on entities of the parts where the format has them, in one file or in one for each part
+// parts.c - meshes in parts as files: on entities of the parts, in one file or in one for each part
 // SPDX-License-Identifier: MIT
 #include "base/base.h"
 
@@ -11,10 +11,10 @@ typedef struct {
   const OutOptions *o;
   unsigned flags;
   Diag *d;
-  const Mesh *mesh;   // as written: on entities of the parts, or as it came
-  bool msh;           // parts and ghosts are told
+  const Mesh *mesh; // as written: on entities of the parts, or as it came
+  bool msh;         // parts and ghosts are told
   Ghosts ghosts;
-  Selection all;      // of the whole mesh
+  Selection all; // of the whole mesh
   PartFile file;
 } Output;
 
@@ -65,7 +65,8 @@ static void number_as_whole(Output *w, Selection *s, const PartOnly *only, PartF
     first[w->all.block[i]] = number;
     number += m->block[w->all.block[i]].n;
   }
-  for (size_t k = 0; k < s->nnode; k++) s->number[s->node[k]] = w->all.number[only->mesh->node_number[s->node[k]] - 1];
+  for (size_t k = 0; k < s->nnode; k++)
+    s->number[s->node[k]] = w->all.number[only->mesh->node_number[s->node[k]] - 1];
   file->first = mem_alloc(s->nblock * sizeof *file->first);
   for (size_t i = 0; i < s->nblock; i++) {
     uint32_t of = only->block_of.data[s->block[i]];
@@ -116,16 +117,19 @@ static ExitCode write_split(Output *w, const char *path)
   }
   uint32_t *local = mem_alloc(w->mesh->nnode * sizeof *local);
   if (w->mesh->nnode) memset(local, 0xff, w->mesh->nnode * sizeof *local);
-  for (uint32_t k = 1; k <= w->mesh->nparts && status == EXIT_GOOD; k++) status = write_part(w, path, k, local);
+  for (uint32_t k = 1; k <= w->mesh->nparts && status == EXIT_GOOD; k++)
+    status = write_part(w, path, k, local);
   free(local);
   return status;
 }
 
-ExitCode parts__write(const Format *f, const Mesh *m, const char *path, const OutOptions *o, unsigned flags, Diag *d)
+ExitCode parts__write(const Format *f, const Mesh *m, const char *path, const OutOptions *o, unsigned flags,
+                      Diag *d)
 {
   bool msh2 = f->write == msh2__write, msh4 = f->write == msh4__write;
   bool entities = msh4 || (msh2 && o->part_new_style) || (!msh2 && o->element_tag == 3);
-  PartEntityOptions how = {.topology = (msh2 || msh4) && !o->no_part_topology, .groups = (msh2 || msh4) && o->part_groups};
+  PartEntityOptions how = {.topology = (msh2 || msh4) && !o->no_part_topology,
+                           .groups = (msh2 || msh4) && o->part_groups};
   Mesh *made = entities ? mesh_part_entities(m, &how) : NULL;
   Output w = {.f = f, .o = o, .flags = flags, .d = d, .mesh = made ? made : m, .msh = msh2 || msh4};
   select__make(&w.all, w.mesh, o, flags);

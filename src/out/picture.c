@@ -73,7 +73,8 @@ static void draw(Writer *w, CanvasKind kind, const Selection *s, const OutOption
   picture__legend_title(&p);
   if (by_measure || o->histogram) picture__draw_histogram(&p, &scale);
   if (by_part) picture__legend_parts(&p);
-  if (!by_measure && !by_part) picture__legend_groups(&p, 2, "Faces", picture__face_colors, ARRAY_LEN(picture__face_colors));
+  if (!by_measure && !by_part)
+    picture__legend_groups(&p, 2, "Faces", picture__face_colors, ARRAY_LEN(picture__face_colors));
   picture__legend_groups(&p, 1, "Boundaries", picture__line_colors, ARRAY_LEN(picture__line_colors));
   canvas_close(p.canvas);
   mesh_edges_free(&p.edges);

@@ -1,4 +1,4 @@
-// picture_parts.c - pictures of meshes in parts: parts in colours that differ between neighbours, and the edges between them
+// picture_parts.c - parts in colours that differ between neighbours, and the edges between them
 // SPDX-License-Identifier: MIT
 #include "base/base.h"
 
@@ -6,14 +6,14 @@
 #include "mesh/part_nodes.h"
 #include "out/picture_int.h"
 
-// A color for each part (index part - 1) that no neighbour of lower number has, or fewest have, and of those the one least used. The
-// caller frees.
+// A color for each part (index part - 1) that no neighbour of lower number has, or fewest have, and of those
+// the one least used. The caller frees.
 static uint8_t *choose_colors(const Mesh *m)
 {
   PartNodes nodes;
   part_nodes_make(&nodes, m);
   uint8_t *color = mem_zalloc(m->nparts);
-  uint32_t (*taken)[PICTURE_COLORS] = mem_zalloc(m->nparts * sizeof *taken); // how often, by lower neighbours
+  uint32_t(*taken)[PICTURE_COLORS] = mem_zalloc(m->nparts * sizeof *taken); // how often, by lower neighbours
   Vec(uint64_t) pair = {0}; // of neighbours, the lower first; some several times
   for (size_t i = 0; i < nodes.list.len; i += 1 + nodes.list.data[i])
     for (uint32_t a = 1; a <= nodes.list.data[i]; a++)
@@ -91,7 +91,8 @@ void picture__legend_parts(Picture *p)
   uint8_t *color = choose_colors(m);
   size_t *count = mem_zalloc(m->nparts * sizeof *count), left_out = 0;
   for (size_t b = 0; b < m->nblock; b++)
-    for (size_t i = 0; elem_dim(m->block[b].type) == 2 && i < m->block[b].n; i++) count[m->block[b].part[i] - 1]++;
+    for (size_t i = 0; elem_dim(m->block[b].type) == 2 && i < m->block[b].n; i++)
+      count[m->block[b].part[i] - 1]++;
   canvas_text(p->canvas, ink, p->legend_x, p->y + 20, 14, 0, true, "Parts");
   p->y += 24;
   for (uint32_t k = 0; k < m->nparts; k++) {

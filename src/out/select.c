@@ -46,7 +46,8 @@ void select__make(Selection *s, const Mesh *m, const OutOptions *o, unsigned fla
   s->elem0 = o->first_element ? o->first_element : 1;
   s->grouped = !o->save_all && mesh_is_grouped(m);
   s->entity = mem_alloc(m->nentity * sizeof *s->entity);
-  for (size_t e = 0; e < m->nentity; e++) s->entity[e] = !s->grouped || m->entity[e].physical.len > 0 || m->entity[e].saved;
+  for (size_t e = 0; e < m->nentity; e++)
+    s->entity[e] = !s->grouped || m->entity[e].physical.len > 0 || m->entity[e].saved;
   s->block = mem_alloc(m->nblock * sizeof *s->block);
   for (size_t b = 0; b < m->nblock; b++)
     if (s->entity[m->block[b].entity] && m->block[b].n && elem_dim(m->block[b].type) >= least) {

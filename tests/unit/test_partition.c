@@ -1,4 +1,4 @@
-// test_partition.c - parts of meshes: complete, balanced, the cut counted anew; what lies between them; what each sees of the others
+// test_partition.c - parts of meshes: complete, balanced, the cut counted anew; what lies between them
 // SPDX-License-Identifier: MIT
 #include "unit.h"
 
@@ -154,13 +154,15 @@ static void weights(void **state)
   mesh_free(m);
 }
 
-// ---- ghosts --------------------------------------------------------------------------------------------------------------
+// ---- ghosts ------------------------------------------------------------
 static bool share_a_node(const Mesh *m, const MeshBlock *a, size_t i, const MeshBlock *b, size_t j)
 {
   (void)m;
   for (int p = 0; p < elem_corners(a->type); p++)
     for (int q = 0; q < elem_corners(b->type); q++)
-      if (a->node[i * (size_t)elem_nodes(a->type) + (size_t)p] == b->node[j * (size_t)elem_nodes(b->type) + (size_t)q]) return true;
+      if (a->node[i * (size_t)elem_nodes(a->type) + (size_t)p] ==
+          b->node[j * (size_t)elem_nodes(b->type) + (size_t)q])
+        return true;
   return false;
 }
 
@@ -194,7 +196,7 @@ static void ghosts_are_neighbours_over_nodes(void **state)
   mesh_free(m);
 }
 
-// ---- entities of parts -----------------------------------------------------------------------------------------------------
+// ---- entities of parts ------------------------------------------------------------
 static bool has_part(const MeshEntity *e, uint32_t part)
 {
   for (size_t i = 0; i < e->parts.len; i++)
@@ -221,7 +223,8 @@ static void check_bounds(const Mesh *d, uint32_t surface)
     int n = elem_corners(k->type);
     for (size_t i = 0; k->entity == surface && i < k->n; i++)
       for (int c = 0; c < n; c++)
-        toggle(&own, &own_node, k->node[i * (size_t)n + (size_t)c], k->node[i * (size_t)n + (size_t)((c + 1) % n)]);
+        toggle(&own, &own_node, k->node[i * (size_t)n + (size_t)c],
+               k->node[i * (size_t)n + (size_t)((c + 1) % n)]);
   }
   const IntVec *bound = &d->entity[surface].boundary;
   for (size_t i = 0; i < bound->len; i++) {
@@ -243,7 +246,8 @@ static void check_bounds(const Mesh *d, uint32_t surface)
   vec_free(&listed_node);
 }
 
-// A curve runs from its first point to its second: their nodes are the only ones that one line alone has. Or both are the same.
+// A curve runs from its first point to its second: their nodes are the only ones that one line alone has. Or
+// both are the same.
 static void check_ends(const Mesh *d, uint32_t curve)
 {
   uint32_t *uses = mem_zalloc(d->nnode * sizeof *uses);
@@ -340,7 +344,8 @@ static void without_topology(void **state)
     if (!d->entity[e].parts.len) continue;
     assert_int_equal(d->entity[e].dim, d->entity[e].parent_dim);
     for (uint32_t f = 0; f < e; f++) // one piece for each entity and part
-      assert_false(d->entity[f].parts.len && d->entity[f].dim == d->entity[e].dim && d->entity[f].parent_tag == d->entity[e].parent_tag &&
+      assert_false(d->entity[f].parts.len && d->entity[f].dim == d->entity[e].dim &&
+                   d->entity[f].parent_tag == d->entity[e].parent_tag &&
                    d->entity[f].parts.data[0] == d->entity[e].parts.data[0]);
     for (size_t i = 0; i < d->entity[e].physical.len; i++) {
       const MeshGroup *g = mesh_find_group(d, d->entity[e].dim, abs(d->entity[e].physical.data[i]));
@@ -351,7 +356,7 @@ static void without_topology(void **state)
   mesh_free(m);
 }
 
-// ---- parts apart and together ------------------------------------------------------------------------------------------------
+// ---- parts apart and together ------------------------------------------------------------
 static void apart_and_together(void **state)
 {
   (void)state;
@@ -365,7 +370,8 @@ static void apart_and_together(void **state)
       PartOnly only;
       mesh_part_only(&only, m, k + 1, NULL, 0, local);
       for (size_t b = 0; b < only.mesh->nblock; b++)
-        for (size_t i = 0; i < only.mesh->block[b].n; i++) assert_int_equal(only.mesh->block[b].part[i], k + 1);
+        for (size_t i = 0; i < only.mesh->block[b].n; i++)
+          assert_int_equal(only.mesh->block[b].part[i], k + 1);
       part[k] = only.mesh;
       only.mesh = NULL;
       part_only_free(&only);
