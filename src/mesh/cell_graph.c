@@ -146,6 +146,15 @@ void cell_graph_make(CellGraph *g, const Mesh *m, const ElemIds *ids, const Edge
   free(b.at_node);
 }
 
+void cell_graph_of_mesh(CellGraph *g, ElemIds *ids, const Mesh *m)
+{
+  EdgeUses uses;
+  elem_ids_make(ids, m);
+  edge_uses_make(&uses, m, ids);
+  cell_graph_make(g, m, ids, &uses);
+  edge_uses_free(&uses);
+}
+
 void cell_graph_free(CellGraph *g)
 {
   free(g->elem);

@@ -20,6 +20,8 @@ typedef struct {
 // O(n) for nodes of bounded degree.
 void cell_graph_make(CellGraph *g, const Mesh *m, const ElemIds *ids, const EdgeUses *uses);
 void cell_graph_free(CellGraph *g);
+// The same from the mesh alone; ids is made too, to be freed by the caller.
+void cell_graph_of_mesh(CellGraph *g, ElemIds *ids, const Mesh *m);
 
 // Label the cells by connected components among cells of equal label (label NULL: all are equal), in order of
 // first cells. Returns their number.

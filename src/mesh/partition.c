@@ -134,12 +134,8 @@ bool mesh_partition(Mesh *m, int n, const Options *o, Diag *d)
     return false;
   }
   ElemIds ids;
-  EdgeUses uses;
   CellGraph g;
-  elem_ids_make(&ids, m);
-  edge_uses_make(&uses, m, &ids);
-  cell_graph_make(&g, m, &ids, &uses);
-  edge_uses_free(&uses);
+  cell_graph_of_mesh(&g, &ids, m);
   bool good = (size_t)n <= g.n;
   if (!good) {
     diag_error(d, NO_LOC, "the mesh has %zu elements to be divided: too few for %d parts", g.n, n);
@@ -168,12 +164,8 @@ static bool is_complete(const Mesh *m, int least_dim)
 static bool complete_by_cells(Mesh *m)
 {
   ElemIds ids;
-  EdgeUses uses;
   CellGraph g;
-  elem_ids_make(&ids, m);
-  edge_uses_make(&uses, m, &ids);
-  cell_graph_make(&g, m, &ids, &uses);
-  edge_uses_free(&uses);
+  cell_graph_of_mesh(&g, &ids, m);
   bool good = true;
   for (size_t b = 0; b < m->nblock; b++)
     for (size_t i = 0; i < m->block[b].n; i++) {

@@ -39,12 +39,8 @@ static void count_cut(PartitionStats *s, const CellGraph *g, const uint32_t *par
 static void walk_graph(PartitionStats *s, const Mesh *m)
 {
   ElemIds ids;
-  EdgeUses uses;
   CellGraph g;
-  elem_ids_make(&ids, m);
-  edge_uses_make(&uses, m, &ids);
-  cell_graph_make(&g, m, &ids, &uses);
-  edge_uses_free(&uses);
+  cell_graph_of_mesh(&g, &ids, m);
   uint32_t *part = mem_alloc(g.n * sizeof *part), *component = mem_alloc(g.n * sizeof *component);
   for (size_t c = 0, b = 0; c < g.n; c++) {
     size_t e = g.elem[c];

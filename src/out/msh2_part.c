@@ -53,28 +53,45 @@ static const GhostCell *ghost_at(const PartItems *t, size_t *at, size_t i)
   return *at < t->nghost && t->ghost[*at].index == i ? &t->ghost[*at] : NULL;
 }
 
+// An item: its element's nodes, the sign of its group included, part, and the ghosts it is in.
+typedef struct {
+  int physical;
+  uint32_t part, nghost;
+  const uint32_t *ghost;
+  uint64_t node[ELEM_MAX_NODES];
+} Item;
+
+static void get_item(Item *item, const PartItems *t, size_t k, size_t *at)
+{
+  const Run *r = t->run;
+  size_t i = k / (size_t)r->copies;
+  const uint32_t *node = r->block->node + i * (size_t)r->nodes;
+  const GhostCell *ghost = ghost_at(t, at, i);
+  item->physical = physical_of(r, (int)(k % (size_t)r->copies));
+  item->part = r->block->part[i];
+  item->nghost = ghost ? ghost->n : 0;
+  item->ghost = ghost ? t->s->parts->ghosts->part.data + ghost->first : NULL;
+  for (int c = 0; c < r->nodes; c++)
+    item->node[c] = t->s->number[node[item->physical < 0 ? r->reversed[c] : c]] + t->s->node0;
+}
+
 static char *put_elements(char *p, const void *ctx, size_t from, size_t to)
 {
   const PartItems *t = ctx;
   const Run *r = t->run;
-  size_t copies = (size_t)r->copies, at = ghost_from(t, from / copies);
+  size_t at = ghost_from(t, from / (size_t)r->copies);
   for (size_t k = from; k < to; k++) {
-    size_t i = k / copies;
-    const uint32_t *node = r->block->node + i * (size_t)r->nodes;
-    const GhostCell *ghost = ghost_at(t, &at, i);
-    int phys = physical_of(r, (int)(k % copies));
-    uint32_t ghosts = ghost ? ghost->n : 0;
+    Item item;
+    get_item(&item, t, k, &at);
     p = put_u64(p, t->number + k);
     p = put_u64(put_char(p, ' '), r->block->type);
-    p = put_u64(put_char(p, ' '), 4 + ghosts);
-    p = put_u64(put_char(p, ' '), (uint64_t)abs(phys));
+    p = put_u64(put_char(p, ' '), 4 + item.nghost);
+    p = put_u64(put_char(p, ' '), (uint64_t)abs(item.physical));
     p = put_u64(put_char(p, ' '), (uint64_t)r->entity->tag);
-    p = put_u64(put_char(p, ' '), 1 + ghosts);
-    p = put_u64(put_char(p, ' '), r->block->part[i]);
-    for (uint32_t g = 0; g < ghosts; g++)
-      p = put_u64((char *)memcpy(p, " -", 2) + 2, t->s->parts->ghosts->part.data[ghost->first + g]);
-    for (int c = 0; c < r->nodes; c++)
-      p = put_u64(put_char(p, ' '), t->s->number[node[phys < 0 ? r->reversed[c] : c]] + t->s->node0);
+    p = put_u64(put_char(p, ' '), 1 + item.nghost);
+    p = put_u64(put_char(p, ' '), item.part);
+    for (uint32_t g = 0; g < item.nghost; g++) p = put_u64((char *)memcpy(p, " -", 2) + 2, item.ghost[g]);
+    for (int c = 0; c < r->nodes; c++) p = put_u64(put_char(p, ' '), item.node[c]);
     p = put_char(p, '\n');
   }
   return p;
@@ -86,22 +103,17 @@ static char *put_binary_elements(char *p, const void *ctx, size_t from, size_t t
 {
   const PartItems *t = ctx;
   const Run *r = t->run;
-  size_t copies = (size_t)r->copies, at = ghost_from(t, from / copies);
+  size_t at = ghost_from(t, from / (size_t)r->copies);
   for (size_t k = from; k < to; k++) {
-    size_t i = k / copies;
-    const uint32_t *node = r->block->node + i * (size_t)r->nodes;
-    const GhostCell *ghost = ghost_at(t, &at, i);
-    int phys = physical_of(r, (int)(k % copies));
-    uint32_t ghosts = ghost ? ghost->n : 0;
+    Item item;
+    get_item(&item, t, k, &at);
     p = put32(p, (int32_t)(t->number + k));
-    p = put32(p, abs(phys));
+    p = put32(p, abs(item.physical));
     p = put32(p, r->entity->tag);
-    p = put32(p, (int32_t)(1 + ghosts));
-    p = put32(p, (int32_t)r->block->part[i]);
-    for (uint32_t g = 0; g < ghosts; g++)
-      p = put32(p, -(int32_t)t->s->parts->ghosts->part.data[ghost->first + g]);
-    for (int c = 0; c < r->nodes; c++)
-      p = put32(p, (int32_t)(t->s->number[node[phys < 0 ? r->reversed[c] : c]] + t->s->node0));
+    p = put32(p, (int32_t)(1 + item.nghost));
+    p = put32(p, (int32_t)item.part);
+    for (uint32_t g = 0; g < item.nghost; g++) p = put32(p, -(int32_t)item.ghost[g]);
+    for (int c = 0; c < r->nodes; c++) p = put32(p, (int32_t)item.node[c]);
   }
   return p;
 }
