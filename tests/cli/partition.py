@@ -1,5 +1,6 @@
 """Compare two partitioned MSH 4.1 files in ASCII: are the same elements in the same parts, do the same edges lie between them, does
 each part see the same ghost cells? Elements are told by the places of their nodes. Usage: partition.py a.msh b.msh"""
+import collections
 import sys
 
 
@@ -32,6 +33,7 @@ class Mesh:
                 r = next(rows)
                 n = int(r[3])
                 self.piece[dim, int(r[0])] = int(r[1]), tuple(sorted(map(int, r[4:4 + n])))
+        self.pieces = collections.Counter((dim, parent, parts) for (dim, _), (parent, parts) in self.piece.items())
 
     def read_nodes(self):
         rows = iter(self.section["Nodes"])
@@ -67,7 +69,7 @@ class Mesh:
 def main():
     a, b = (Mesh(p) for p in sys.argv[1:])
     good = True
-    for what in ("parts", "own", "seam", "ghost"):
+    for what in ("parts", "pieces", "own", "seam", "ghost"):
         x, y = getattr(a, what), getattr(b, what)
         print(what, "same" if x == y else "differ", x if what == "parts" else f"{len(x)} {len(y)}")
         if x != y:
