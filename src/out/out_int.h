@@ -54,7 +54,7 @@ enum {
   FORMAT_ORPHANS = 1,  // writes nodes that no element uses, when everything is saved
   FORMAT_NO_POINTS = 4,// has no elements of dimension 0
   FORMAT_SURFACE = 8,  // has elements of dimension 2 alone
-  FORMAT_CELL_DATA = 16, // holds measures of elements
+  FORMAT_CELL_DATA = 16, // holds measures and parts of elements
   FORMAT_ALL = 2,      // the saving rule does not apply: pictures
 };
 
