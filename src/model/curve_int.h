@@ -35,6 +35,9 @@ Vec3 bezier__at(const Vec3 *b, int degree, double s, Vec3 *d1, Vec3 *d2);
 // Pieces of a shape of pieces between the parameters a and b (split.c).
 Pieces *pieces__between(Model *m, const CurveShape *h, double a, double b);
 
+// The image of a curve that is built, in the model's arena: an arc or pieces. False for a line, which its ends say all about.
+bool curve__image(Model *m, const Curve *c, const Affine *a, Arc **arc, Pieces **pieces);
+
 // Pieces in the plane of the sphere to cubic pieces in space.
 void sphere__lift(const PolarSphere *sphere, CurveShape *h);
 

@@ -94,24 +94,6 @@ Face *face__make(Model *m, int tag, FaceType type, const int *loop, int nloop, S
   return f;
 }
 
-void face__drop(Model *m, int tag)
-{
-  Face *f = table__get(&m->face, tag);
-  model__forget_face(m, f);
-  face__count_uses(m, f, -1);
-  for (int i = 0; i < f->nloop; i++) {
-    if (tag__abs(f->loop[i]) < HIDDEN_LOOP) continue;
-    Loop *l = model_loop(m, f->loop[i]);
-    for (int j = 0; j < l->ncurve; j++) model_curve(m, l->curve[j])->in_loops--;
-    table__remove(&m->hidden, tag__abs(f->loop[i]) - HIDDEN_LOOP);
-  }
-  if (f->embedded_points.len + f->embedded_curves.len) m->nembedded--;
-  if (f->ncorner) m->ncorners--;
-  vec_free(&f->embedded_points);
-  vec_free(&f->embedded_curves);
-  table__remove(&m->face, tag);
-}
-
 static bool loop_in_use(const Model *m, int tag)
 {
   for (uint32_t s = 0; s < m->face.used; s++) {
@@ -122,20 +104,57 @@ static bool loop_in_use(const Model *m, int tag)
   return false;
 }
 
+static void drop_loop(Model *m, Table *t, Loop *l, int tag)
+{
+  for (int j = 0; l->sorted && j < l->ncurve; j++) model_curve(m, l->curve[j])->in_loops--;
+  table__remove(t, tag);
+}
+
+static void drop_hidden_loops(Model *m, const Face *f)
+{
+  for (int i = 0; i < f->nloop; i++)
+    if (tag__abs(f->loop[i]) >= HIDDEN_LOOP) drop_loop(m, &m->hidden, model_loop(m, f->loop[i]), tag__abs(f->loop[i]) - HIDDEN_LOOP);
+}
+
+static void drop_named_loops(Model *m, const int *loop, int n)
+{
+  for (int i = 0; i < n; i++) {
+    Loop *l = table__get(&m->loop, tag__abs(loop[i]));
+    if (l && !loop_in_use(m, l->tag)) drop_loop(m, &m->loop, l, l->tag);
+  }
+  model__recount(m, KIND_LOOP);
+}
+
+void face__drop_loops(Model *m, Face *f)
+{
+  const int *loop = f->loop; // the arena keeps it
+  int n = f->nloop;
+  face__count_uses(m, f, -1);
+  drop_hidden_loops(m, f);
+  f->nloop = 0;
+  drop_named_loops(m, loop, n);
+}
+
+void face__drop(Model *m, int tag)
+{
+  Face *f = table__get(&m->face, tag);
+  model__forget_face(m, f);
+  face__count_uses(m, f, -1);
+  drop_hidden_loops(m, f);
+  if (f->embedded_points.len + f->embedded_curves.len) m->nembedded--;
+  if (f->ncorner) m->ncorners--;
+  vec_free(&f->embedded_points);
+  vec_free(&f->embedded_curves);
+  table__remove(&m->face, tag);
+}
+
 void face__drop_whole(Model *m, int tag)
 {
   const Face *f = table__get(&m->face, tag);
   const int *loop = f->loop; // the arena keeps it
   int n = f->nloop;
   face__drop(m, tag);
-  if (!m->set.opencascade) return;
-  for (int i = 0; i < n; i++) {
-    Loop *l = table__get(&m->loop, tag__abs(loop[i]));
-    if (!l || loop_in_use(m, l->tag)) continue;
-    for (int j = 0; l->sorted && j < l->ncurve; j++) model_curve(m, l->curve[j])->in_loops--;
-    table__remove(&m->loop, l->tag);
-  }
-  model__recount(m, KIND_LOOP);
+  if (m->set.opencascade) drop_named_loops(m, loop, n);
 }
 
 Volume *volume__make(Model *m, int tag, const int *face, int nface, SrcLoc loc)

@@ -76,33 +76,19 @@ static int sweep_point(Prism *j, int from)
 
 // ---- curves ---------------------------------------------------------------------------------------------------------------
 
-static Vec3 turned(const Affine *a, Vec3 v) { return vec3_sub(affine_apply(a, v), affine_apply(a, (Vec3){0, 0, 0})); }
-
-// What the copy is shaped like: an arc, or pieces of a spline; a line by its ends alone.
-static void copy_shape(Prism *j, const CurveShape *h, bool smooth, Curve *to)
-{
-  Arena *arena = &j->m->arena;
-  if (h->kind == SHAPE_ARC) {
-    Arc arc = {affine_apply(&j->full, h->centre), turned(&j->full, h->a), turned(&j->full, h->b), h->t0, h->t1};
-    to->arc = arena_dup(arena, &arc, sizeof arc);
-    return;
-  }
-  size_t n = (size_t)h->npiece * (size_t)(h->degree + 1);
-  Pieces p = {.degree = h->degree, .npiece = h->npiece, .smooth = smooth,
-              .knot = arena_dup(arena, h->knot, ((size_t)h->npiece + 1) * sizeof *h->knot),
-              .control = arena_dup(arena, h->control, n * sizeof *h->control)};
-  for (size_t i = 0; i < n; i++) p.control[i] = affine_apply(&j->full, p.control[i]);
-  to->pieces = arena_dup(arena, &p, sizeof p);
-}
-
 static int copy_curve(Prism *j, int tag)
 {
   Model *m = j->m;
   Curve *c = model_curve(m, tag);
   int end[2] = {image_of(j, 0, c->begin), image_of(j, 0, c->end)};
-  const CurveShape *h = curve__build(m, c, j->diag) ? c->shape : NULL;
-  Curve *to = curve__make(m, model__next_tag(m, KIND_CURVE), h ? c->type : CURVE_LINE, end, 2, end[0], end[1], j->loc);
-  if (h) copy_shape(j, h, c->pieces && c->pieces->smooth, to);
+  Arc *arc;
+  Pieces *pieces;
+  bool bent = curve__build(m, c, j->diag) && curve__image(m, c, &j->full, &arc, &pieces);
+  Curve *to = curve__make(m, model__next_tag(m, KIND_CURVE), bent ? c->type : CURVE_LINE, end, 2, end[0], end[1], j->loc);
+  if (bent) {
+    to->arc = arc;
+    to->pieces = pieces;
+  }
   if (j->layers.n) {
     to->copy_of = tag;
     vec_push(&m->layered, to->tag);

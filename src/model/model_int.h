@@ -143,6 +143,7 @@ Volume *volume__make(Model *m, int tag, const int *face, int nface, SrcLoc loc);
 void curve__drop(Model *m, int tag); // remove, with its uses of points
 void face__drop(Model *m, int tag);  // remove, with its uses of curves
 void face__drop_whole(Model *m, int tag); // with its loops too, but for those of other faces, where that is OpenCASCADE's way
+void face__drop_loops(Model *m, Face *f); // its loops, but for named ones of other faces, and its uses of curves: it has none then
 void face__count_uses(Model *m, const Face *f, int delta);
 static inline int curve__from(const Model *m, int signed_tag)
 {
@@ -164,6 +165,9 @@ void model__forget_point(Model *m, Point *p);
 void model__forget_curve(Model *m, Curve *c);
 void model__forget_face(Model *m, Face *f);
 void model__index_free(Model *m);
+
+// transform_occ.c: model_transform for OpenCASCADE, of curves and faces that there are.
+bool transform__opencascade(Model *m, const Shape *shape, size_t n, const Affine *a, Diag *diag);
 
 // extrude_occ.c: model_extrude for OpenCASCADE, of shapes that there are, by a translation or a rotation.
 void extrude__opencascade(Model *m, const Shape *shape, size_t n, const Sweep *sweep, const Affine *full, const Layers *layers,

@@ -204,6 +204,9 @@ bool model_transform(Model *m, const Shape *shape, size_t n, const Affine *a, Sr
     return false;
   }
   if (!shapes_exist(m, shape, n, "transform", loc, diag)) return false;
+  bool apart = m->set.opencascade; // points, and volumes for their faces, take along what is on them
+  for (size_t i = 0; i < n; i++) apart = apart && (shape[i].dim == 1 || shape[i].dim == 2);
+  if (apart) return transform__opencascade(m, shape, n, a, diag);
   transform_known(m, shape, n, a);
   if (m->set.auto_coherence && !m->set.opencascade) model_coherence(m, diag);
   return true;

@@ -1,0 +1,247 @@
+// transform_occ.c - moving curves and faces as OpenCASCADE does it
+// SPDX-License-Identifier: MIT
+//
+// What is moved parts from what stays: a boundary that others have too is copied. The shapes of the statement keep their numbers
+// and what they share; what bounds them is numbered anew, in the order of the shapes, from the largest number on that is left when
+// their old boundaries are gone. Controls of splines and centres of arcs are no points of what comes out.
+#include "base/base.h"
+
+#include "model/curve_int.h"
+
+// A curve that is moved: what it was, its image, and its new number.
+typedef struct {
+  Curve was;
+  bool line, listed;
+  Arc *arc;
+  Pieces *pieces;
+  int tag;
+} MovedCurve;
+
+typedef struct {
+  int tag;
+  Vec3 xyz;
+  double lc;
+} NewPoint;
+
+typedef struct {
+  int face;
+  IntVec curve, start; // its boundary as it was
+} MovedFace;
+
+typedef struct {
+  Model *m;
+  const Affine *map;
+  Diag *diag;
+  Vec(MovedCurve) curve;
+  Vec(NewPoint) point;
+  Vec(MovedFace) face;
+  Map curve_at, point_at; // old number -> index
+} Mover;
+
+static Vec3 turned(const Affine *a, Vec3 v) { return vec3_sub(affine_apply(a, v), affine_apply(a, (Vec3){0, 0, 0})); }
+
+bool curve__image(Model *m, const Curve *c, const Affine *a, Arc **arc, Pieces **pieces)
+{
+  const CurveShape *h = c->shape;
+  *arc = NULL;
+  *pieces = NULL;
+  if (!h) return false;
+  if (h->kind == SHAPE_ARC) {
+    Arc image = {affine_apply(a, h->centre), turned(a, h->a), turned(a, h->b), h->t0, h->t1};
+    *arc = arena_dup(&m->arena, &image, sizeof image);
+    return true;
+  }
+  size_t n = (size_t)h->npiece * (size_t)(h->degree + 1);
+  Pieces p = {.degree = h->degree, .npiece = h->npiece, .smooth = c->pieces && c->pieces->smooth,
+              .knot = arena_dup(&m->arena, h->knot, ((size_t)h->npiece + 1) * sizeof *h->knot),
+              .control = arena_dup(&m->arena, h->control, n * sizeof *h->control)};
+  for (size_t i = 0; i < n; i++) p.control[i] = affine_apply(a, p.control[i]);
+  *pieces = arena_dup(&m->arena, &p, sizeof p);
+  return true;
+}
+
+// ---- what there is to move ----------------------------------------------------------------------------------------------------
+
+static void gather_point(Mover *v, int tag)
+{
+  bool fresh;
+  map_slot(&v->point_at, (uint64_t)tag, (uint32_t)v->point.len, &fresh);
+  const Point *p = point__get(v->m, tag);
+  if (fresh) vec_push(&v->point, ((NewPoint){0, affine_apply(v->map, p->xyz), p->lc}));
+}
+
+static bool gather_curve(Mover *v, int tag, bool listed)
+{
+  bool fresh;
+  uint32_t *at = map_slot(&v->curve_at, (uint64_t)tag, (uint32_t)v->curve.len, &fresh);
+  if (!fresh) {
+    v->curve.data[*at].listed |= listed;
+    return true;
+  }
+  Curve *c = model_curve(v->m, tag);
+  if (!curve__build(v->m, c, v->diag)) return false;
+  MovedCurve k = {.was = *c, .listed = listed};
+  k.line = !curve__image(v->m, c, v->map, &k.arc, &k.pieces);
+  vec_push(&v->curve, k);
+  gather_point(v, c->begin);
+  gather_point(v, c->end);
+  return true;
+}
+
+static bool gather(Mover *v, const Shape *shape, size_t n)
+{
+  bool good = true;
+  for (size_t i = 0; i < n && good; i++) {
+    int tag = tag__abs(shape[i].tag);
+    if (shape[i].dim == 1) good = gather_curve(v, tag, true);
+    if (shape[i].dim != 2) continue;
+    MovedFace f = {.face = tag};
+    face_boundary(v->m, model_face(v->m, tag), &f.curve, &f.start);
+    vec_push(&v->face, f);
+    for (size_t k = 0; k < f.curve.len && good; k++) good = gather_curve(v, tag__abs(f.curve.data[k]), false);
+  }
+  return good;
+}
+
+// ---- out with the old ---------------------------------------------------------------------------------------------------------
+
+static void release_faces(Mover *v)
+{
+  for (size_t i = 0; i < v->face.len; i++) {
+    Face *f = model_face(v->m, v->face.data[i].face);
+    model__forget_face(v->m, f);
+    face__drop_loops(v->m, f);
+  }
+}
+
+// Curves that faces outside have: one that is listed leaves them a copy in its place.
+static void release_curves(Mover *v)
+{
+  Model *m = v->m;
+  for (size_t i = 0; i < v->curve.len; i++) {
+    MovedCurve *k = &v->curve.data[i];
+    const Curve *c = model_curve(m, k->was.tag);
+    if (c->uses && k->listed) {
+      Curve *stays = curve__make(m, m->max[KIND_CURVE] + 1, c->type, c->point, c->npoint, c->begin, c->end, c->loc);
+      Curve copy = *stays;
+      *stays = k->was;
+      stays->tag = copy.tag;
+      stays->uses = stays->in_loops = 0;
+      stays->shape = NULL;
+      IntVec part = {0};
+      vec_push(&part, copy.tag);
+      model__replace_curve(m, k->was.tag, &part);
+      vec_free(&part);
+    }
+    if (!model_curve(m, k->was.tag)->uses) curve__drop(m, k->was.tag);
+  }
+}
+
+static void release_points(Mover *v)
+{
+  ShapeVec gone = {0};
+  for (size_t i = 0; i < v->curve.len; i++) {
+    vec_push(&gone, ((Shape){0, v->curve.data[i].was.begin}));
+    vec_push(&gone, ((Shape){0, v->curve.data[i].was.end}));
+  }
+  model_delete(v->m, gone.data, gone.len, false); // but for those in use
+  vec_free(&gone);
+}
+
+// ---- in with the new ----------------------------------------------------------------------------------------------------------
+
+static int new_point(Mover *v, int old, SrcLoc loc)
+{
+  NewPoint *p = &v->point.data[map_get(&v->point_at, (uint64_t)old)];
+  if (p->tag) return p->tag;
+  p->tag = v->m->max[KIND_POINT] + 1;
+  point__make(v->m, p->tag, p->xyz, p->lc, loc);
+  return p->tag;
+}
+
+static int new_curve(Mover *v, int old)
+{
+  Model *m = v->m;
+  MovedCurve *k = &v->curve.data[map_get(&v->curve_at, (uint64_t)old)];
+  if (k->tag) return k->tag;
+  int end[2] = {new_point(v, k->was.begin, k->was.loc), new_point(v, k->was.end, k->was.loc)};
+  k->tag = k->listed ? old : m->max[KIND_CURVE] + 1;
+  Curve *c = curve__make(m, k->tag, k->line ? CURVE_LINE : k->was.type, end, 2, end[0], end[1], k->was.loc);
+  c->arc = k->arc;
+  c->pieces = k->pieces;
+  c->transfinite = k->was.transfinite;
+  c->law = k->was.law;
+  c->coef = k->was.coef;
+  c->copy_of = k->was.copy_of;
+  c->layers = k->was.layers;
+  c->reverse_mesh = k->was.reverse_mesh;
+  c->degenerate = k->was.degenerate;
+  uint32_t from = k->was.extruded_point ? map_get(&v->point_at, (uint64_t)k->was.extruded_point) : NONE;
+  if (from != NONE) c->extruded_point = v->point.data[from].tag;
+  if (c->copy_of) vec_push(&m->layered, c->tag);
+  return c->tag;
+}
+
+static void bound_face(Mover *v, const MovedFace *f)
+{
+  IntVec ring = {0}, loop = {0};
+  Face *face = model_face(v->m, f->face);
+  for (size_t l = 0; l + 1 < f->start.len; l++) {
+    vec_clear(&ring);
+    for (int i = f->start.data[l]; i < f->start.data[l + 1]; i++) {
+      int tag = new_curve(v, tag__abs(f->curve.data[i]));
+      vec_push(&ring, f->curve.data[i] < 0 ? -tag : tag);
+    }
+    vec_push(&loop, loop__make_hidden(v->m, ring.data, (int)ring.len, face->loc));
+  }
+  face->loop = arena_dup(&v->m->arena, loop.data, loop.len * sizeof *loop.data);
+  face->nloop = (int)loop.len;
+  face__count_uses(v->m, face, 1);
+  vec_push(&v->m->dirty[2], f->face);
+  vec_free(&ring);
+  vec_free(&loop);
+}
+
+// Copies of meshes go from curve to curve; those that went along have other numbers now.
+static void follow_copies(Mover *v)
+{
+  for (size_t i = 0; i < v->curve.len; i++) {
+    Curve *c = model_curve(v->m, v->curve.data[i].tag);
+    uint32_t from = c->copy_of ? map_get(&v->curve_at, (uint64_t)tag__abs(c->copy_of)) : NONE;
+    if (from != NONE) c->copy_of = c->copy_of < 0 ? -v->curve.data[from].tag : v->curve.data[from].tag;
+  }
+}
+
+static void put_back(Mover *v, const Shape *shape, size_t n)
+{
+  size_t face = 0;
+  for (size_t i = 0; i < n; i++) {
+    if (shape[i].dim == 1) new_curve(v, tag__abs(shape[i].tag));
+    if (shape[i].dim == 2) bound_face(v, &v->face.data[face++]);
+  }
+  follow_copies(v);
+}
+
+bool transform__opencascade(Model *m, const Shape *shape, size_t n, const Affine *a, Diag *diag)
+{
+  Mover v = {.m = m, .map = a, .diag = diag};
+  bool good = gather(&v, shape, n);
+  if (good) {
+    release_faces(&v);
+    release_curves(&v);
+    release_points(&v);
+    model__recount(m, KIND_CURVE);
+    model__recount(m, KIND_POINT);
+    put_back(&v, shape, n);
+  }
+  for (size_t i = 0; i < v.face.len; i++) {
+    vec_free(&v.face.data[i].curve);
+    vec_free(&v.face.data[i].start);
+  }
+  vec_free(&v.face);
+  vec_free(&v.curve);
+  vec_free(&v.point);
+  map_free(&v.curve_at);
+  map_free(&v.point_at);
+  return good;
+}
