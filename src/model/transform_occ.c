@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // What is moved parts from what stays: a boundary that others have too is copied. The shapes of the statement keep their numbers
-// and what they share; what bounds them is numbered anew, in the order of the shapes, from the largest number on that is left when
-// their old boundaries are gone. Controls of splines and centres of arcs are no points of what comes out.
+// and what they share; what bounds them is numbered anew, shape for shape, from the largest number on that is left when the old
+// boundary is gone. Controls of splines and centres of arcs are no points of what comes out.
 #include "base/base.h"
 
 #include "model/curve_int.h"
@@ -105,47 +105,40 @@ static bool gather(Mover *v, const Shape *shape, size_t n)
 
 // ---- out with the old ---------------------------------------------------------------------------------------------------------
 
-static void release_faces(Mover *v)
+// Faces outside keep a copy in the place of a listed curve of theirs.
+static void leave_copy(Model *m, const MovedCurve *k)
 {
-  for (size_t i = 0; i < v->face.len; i++) {
-    Face *f = model_face(v->m, v->face.data[i].face);
-    model__forget_face(v->m, f);
-    face__drop_loops(v->m, f);
-  }
+  const Curve *c = &k->was;
+  Curve *stays = curve__make(m, m->max[KIND_CURVE] + 1, c->type, c->point, c->npoint, c->begin, c->end, c->loc);
+  int tag = stays->tag;
+  *stays = *c;
+  stays->tag = tag;
+  stays->uses = stays->in_loops = 0;
+  stays->shape = NULL;
+  IntVec part = {0};
+  vec_push(&part, tag);
+  model__replace_curve(m, c->tag, &part);
+  vec_free(&part);
 }
 
-// Curves that faces outside have: one that is listed leaves them a copy in its place.
-static void release_curves(Mover *v)
+static void release_curve(Mover *v, int tag)
 {
-  Model *m = v->m;
-  for (size_t i = 0; i < v->curve.len; i++) {
-    MovedCurve *k = &v->curve.data[i];
-    const Curve *c = model_curve(m, k->was.tag);
-    if (c->uses && k->listed) {
-      Curve *stays = curve__make(m, m->max[KIND_CURVE] + 1, c->type, c->point, c->npoint, c->begin, c->end, c->loc);
-      Curve copy = *stays;
-      *stays = k->was;
-      stays->tag = copy.tag;
-      stays->uses = stays->in_loops = 0;
-      stays->shape = NULL;
-      IntVec part = {0};
-      vec_push(&part, copy.tag);
-      model__replace_curve(m, k->was.tag, &part);
-      vec_free(&part);
-    }
-    if (!model_curve(m, k->was.tag)->uses) curve__drop(m, k->was.tag);
-  }
+  const MovedCurve *k = &v->curve.data[map_get(&v->curve_at, (uint64_t)tag)];
+  const Curve *c = model_curve(v->m, tag);
+  if (!c || k->tag) return; // gone with a shape before, or moved itself
+  if (c->uses && k->listed) leave_copy(v->m, k);
+  if (model_curve(v->m, tag)->uses) return;
+  curve__drop(v->m, tag);
+  const Shape end[2] = {{0, k->was.begin}, {0, k->was.end}};
+  model_delete(v->m, end, 2, false); // but for those in use
 }
 
-static void release_points(Mover *v)
+static void release_face(Mover *v, const MovedFace *f)
 {
-  ShapeVec gone = {0};
-  for (size_t i = 0; i < v->curve.len; i++) {
-    vec_push(&gone, ((Shape){0, v->curve.data[i].was.begin}));
-    vec_push(&gone, ((Shape){0, v->curve.data[i].was.end}));
-  }
-  model_delete(v->m, gone.data, gone.len, false); // but for those in use
-  vec_free(&gone);
+  Face *face = model_face(v->m, f->face);
+  model__forget_face(v->m, face);
+  face__drop_loops(v->m, face);
+  for (size_t i = 0; i < f->curve.len; i++) release_curve(v, tag__abs(f->curve.data[i]));
 }
 
 // ---- in with the new ----------------------------------------------------------------------------------------------------------
@@ -186,6 +179,10 @@ static void bound_face(Mover *v, const MovedFace *f)
 {
   IntVec ring = {0}, loop = {0};
   Face *face = model_face(v->m, f->face);
+  if (face->extruded_curve && f->curve.len == 4) { // the sides come before what was swept and its copy
+    new_curve(v, tag__abs(f->curve.data[3]));
+    new_curve(v, tag__abs(f->curve.data[1]));
+  }
   for (size_t l = 0; l + 1 < f->start.len; l++) {
     vec_clear(&ring);
     for (int i = f->start.data[l]; i < f->start.data[l + 1]; i++) {
@@ -212,12 +209,17 @@ static void follow_copies(Mover *v)
   }
 }
 
-static void put_back(Mover *v, const Shape *shape, size_t n)
+static void move_all(Mover *v, const Shape *shape, size_t n)
 {
   size_t face = 0;
   for (size_t i = 0; i < n; i++) {
-    if (shape[i].dim == 1) new_curve(v, tag__abs(shape[i].tag));
-    if (shape[i].dim == 2) bound_face(v, &v->face.data[face++]);
+    const MovedFace *f = shape[i].dim == 2 ? &v->face.data[face++] : NULL;
+    if (f) release_face(v, f);
+    else release_curve(v, tag__abs(shape[i].tag));
+    model__recount(v->m, KIND_CURVE);
+    model__recount(v->m, KIND_POINT);
+    if (f) bound_face(v, f);
+    else new_curve(v, tag__abs(shape[i].tag));
   }
   follow_copies(v);
 }
@@ -226,14 +228,7 @@ bool transform__opencascade(Model *m, const Shape *shape, size_t n, const Affine
 {
   Mover v = {.m = m, .map = a, .diag = diag};
   bool good = gather(&v, shape, n);
-  if (good) {
-    release_faces(&v);
-    release_curves(&v);
-    release_points(&v);
-    model__recount(m, KIND_CURVE);
-    model__recount(m, KIND_POINT);
-    put_back(&v, shape, n);
-  }
+  if (good) move_all(&v, shape, n);
   for (size_t i = 0; i < v.face.len; i++) {
     vec_free(&v.face.data[i].curve);
     vec_free(&v.face.data[i].start);
