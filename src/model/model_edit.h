@@ -59,8 +59,10 @@ int model_add_face(Model *m, FaceType type, int tag, const int *loop, size_t nlo
 // Rectangle: lower left corner, sizes of any sign but 0, radius of the corners or 0. Disk: one closed curve.
 int model_add_rectangle(Model *m, int tag, Vec3 corner, double dx, double dy, double radius, SrcLoc loc, Diag *diag);
 int model_add_disk(Model *m, int tag, Vec3 centre, double rx, double ry, SrcLoc loc, Diag *diag);
-// Circle/Ellipse(tag) = {x, y, z, r | rx, ry, from, to}: an arc in the plane z, counter-clockwise, of up to 2 pi (then closed).
-int model_add_arc(Model *m, int tag, Vec3 centre, double rx, double ry, double from, double to, SrcLoc loc, Diag *diag);
+// Circle/Ellipse(tag) = {x, y, z, r | rx, ry, from, to}: an arc in the plane z, counter-clockwise, of up to 2 pi (then closed); or the
+// same arc run backwards.
+int model_add_arc(Model *m, int tag, Vec3 centre, double rx, double ry, double from, double to, bool backwards, SrcLoc loc,
+                  Diag *diag);
 // Three-dimensional things: kept for tags, boundaries and groups; never meshed.
 int model_add_surface_loop(Model *m, int tag, const int *face, size_t nface, SrcLoc loc, Diag *diag);
 int model_add_volume(Model *m, int tag, const int *surface_loop, size_t n, SrcLoc loc, Diag *diag);

@@ -75,7 +75,7 @@ int model_add_disk(Model *m, int tag, Vec3 centre, double rx, double ry, SrcLoc 
 {
   tag = tag__claim(m, KIND_FACE, tag == -1 ? model__next_tag(m, KIND_FACE) : tag, loc, diag);
   if (tag < 0) return -1;
-  int curve = model_add_arc(m, model__next_tag(m, KIND_CURVE), centre, rx, ry, 0, 2 * PI, loc, diag);
+  int curve = model_add_arc(m, model__next_tag(m, KIND_CURVE), centre, rx, ry, 0, 2 * PI, false, loc, diag);
   if (curve < 0) {
     model__refuse(m, KIND_FACE, tag);
     return -1;
@@ -83,7 +83,7 @@ int model_add_disk(Model *m, int tag, Vec3 centre, double rx, double ry, SrcLoc 
   return face_of(m, tag, &curve, 1, loc);
 }
 
-int model_add_arc(Model *m, int tag, Vec3 centre, double rx, double ry, double from, double to, SrcLoc loc, Diag *diag)
+int model_add_arc(Model *m, int tag, Vec3 centre, double rx, double ry, double from, double to, bool backwards, SrcLoc loc, Diag *diag)
 {
   model__unprepare(m);
   tag = tag__claim(m, KIND_CURVE, tag == -1 ? model__next_tag(m, KIND_CURVE) : tag, loc, diag);
@@ -101,7 +101,14 @@ int model_add_arc(Model *m, int tag, Vec3 centre, double rx, double ry, double f
     return -1;
   }
   bool closed = turn > 2 * PI * (1 - 1e-12);
-  Arc arc = {centre, {rx, 0, 0}, {0, ry, 0}, from, closed ? from + 2 * PI : from + turn};
+  if (closed) turn = 2 * PI;
+  Arc arc = {centre, {rx, 0, 0}, {0, ry, 0}, from, from + turn};
+  if (backwards) {
+    arc = (Arc){centre, {rx, 0, 0}, {0, -ry, 0}, -from - turn, -from};
+    double swap = from;
+    from = to;
+    to = swap;
+  }
   int begin = corner_point(m, centre.x + rx * cos(from), centre.y + ry * sin(from), centre.z, loc), end = begin;
   if (!closed) end = corner_point(m, centre.x + rx * cos(to), centre.y + ry * sin(to), centre.z, loc);
   return side_arc(m, tag, begin, end, arc, loc);

@@ -200,8 +200,9 @@ static void define_centred_arc(Script *s, const Node *n, int tag)
   } else if (s->faults == faults) {
     const double *x = v->data;
     bool angles = v->len > 3 + radii;
-    model_add_arc(s->model, tag, (Vec3){x[0], x[1], x[2]}, x[3], x[2 + radii], angles ? x[3 + radii] : 0,
-                  angles ? x[4 + radii] : 2 * 3.14159265358979323846, n->loc, s->diag);
+    double full = 2 * 3.14159265358979323846, from = angles ? x[3 + radii] : 0, to = angles ? x[4 + radii] : full;
+    bool backwards = radii == 1 && !(from == 0 && to == full); // as OpenCASCADE's circle arcs by angles run
+    model_add_arc(s->model, tag, (Vec3){x[0], x[1], x[2]}, x[3], x[2 + radii], from, to, backwards, n->loc, s->diag);
   }
   script__give(s, v);
 }

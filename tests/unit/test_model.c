@@ -774,12 +774,12 @@ static void plane_shapes(void **state)
   assert_int_equal(model_add_disk(m, 2, (Vec3){5, 0, 0}, 1, 1, NO_LOC, f.d), 2);
   expect_news(m, 7, 6);
   assert_int_equal(model_add_disk(m, 3, (Vec3){9, 0, 0}, 2, 1, NO_LOC, f.d), 3);
-  model_add_arc(m, 20, (Vec3){0, 5, 0}, 1, 1, 0, 2 * PI, NO_LOC, f.d);
-  model_add_arc(m, 21, (Vec3){0, 9, 0}, 1, 1, 0, PI / 2, NO_LOC, f.d);
-  model_add_arc(m, 22, (Vec3){0, 13, 0}, 1, 1, 0, 2 * PI, NO_LOC, f.d);
-  model_add_arc(m, 23, (Vec3){0, 13, 0}, 1, 1, PI / 4, 3 * PI / 2, NO_LOC, f.d);
-  model_add_arc(m, 24, (Vec3){0, 19, 0}, 2, 1, 0, 2 * PI, NO_LOC, f.d);
-  model_add_arc(m, 25, (Vec3){0, 24, 0}, 2, 1, PI / 4, PI, NO_LOC, f.d);
+  model_add_arc(m, 20, (Vec3){0, 5, 0}, 1, 1, 0, 2 * PI, false, NO_LOC, f.d);
+  model_add_arc(m, 21, (Vec3){0, 9, 0}, 1, 1, 0, PI / 2, false, NO_LOC, f.d);
+  model_add_arc(m, 22, (Vec3){0, 13, 0}, 1, 1, 0, 2 * PI, false, NO_LOC, f.d);
+  model_add_arc(m, 23, (Vec3){0, 13, 0}, 1, 1, PI / 4, 3 * PI / 2, false, NO_LOC, f.d);
+  model_add_arc(m, 24, (Vec3){0, 19, 0}, 2, 1, 0, 2 * PI, false, NO_LOC, f.d);
+  model_add_arc(m, 25, (Vec3){0, 24, 0}, 2, 1, PI / 4, PI, false, NO_LOC, f.d);
   expect_news(m, 17, 26);
   assert_int_equal(model_add_rectangle(m, 9, (Vec3){20, 0, 0}, 2, 1, .2, NO_LOC, f.d), 9);
   expect_news(m, 25, 34);

@@ -25,6 +25,10 @@ Cylinder(1) = {0,0,0, 1,1,1, 2};                 // expect error: Cylinder needs
 BooleanUnion{ Volume{1}; Delete; }{ Volume{2}; Delete; } // expect error: BooleanUnion of volume 1, which does not exist
 Fillet{1}{1}{0.1}                                // expect error: Fillet needs the OpenCASCADE kernel
 ThruSections(1) = {1,2};                         // expect error: ThruSections needs
+Circle(154) = {20, 0, 0, 1, 0, Pi/2}; p[] = Boundary { Curve{154}; };
+q[] = Point{p[0]}; Printf("%g %g, %g", q[0], q[1], p[1] - p[0]); // expect: 20 1, 1
+Ellipse(155) = {20, 0, 0, 2, 1, 0, Pi/2}; p[] = Boundary { Curve{155}; };
+q[] = Point{p[0]}; Printf("%g %g, %g", q[0], q[1], p[1] - p[0]); // expect: 22 0, 1
 SetFactory("Parasolid");                         // expect error: unknown kernel "Parasolid"
 SetFactory("Built-in");
 Printf("%g", 1);                                 // expect: 1
