@@ -15,7 +15,7 @@ typedef struct {
   Layers layers;     // in the model's arena
   double tol;
   SrcLoc loc;
-  double thickness;  // > 0: along the normals of the curves, so far
+  double thickness;  // not 0: along the normals of the curves, so far; < 0: against them
   Map normal_at;     // point -> index of its mean normal
   Vec(Vec3) normal;
 } Job;
@@ -106,7 +106,7 @@ static int offset_curve(Job *j, int signed_tag)
 
 static bool stays(const Job *j, int point)
 {
-  Vec3 p = point__get(j->m, point)->xyz, q = j->thickness > 0 ? moved_along_normal(j, point) : affine_apply(&j->full, p);
+  Vec3 p = point__get(j->m, point)->xyz, q = j->thickness != 0 ? moved_along_normal(j, point) : affine_apply(&j->full, p);
   return fabs(p.x - q.x) <= j->tol && fabs(p.y - q.y) <= j->tol && fabs(p.z - q.z) <= j->tol;
 }
 
@@ -162,7 +162,7 @@ static int sweep_point(Job *j, int from)
   if (j->sweep->rotate && j->sweep->translate) {
     c = swept_screw(j, from, to);
   } else {
-    if (j->thickness > 0) model__point_moves(m, point__get(m, to), moved_along_normal(j, from));
+    if (j->thickness != 0) model__point_moves(m, point__get(m, to), moved_along_normal(j, from));
     else move_point(j, to, &j->full);
     int pair[2] = {from, to};
     c = j->sweep->rotate ? swept_arc(j, from, to)
@@ -177,7 +177,7 @@ static int sweep_point(Job *j, int from)
 static int sweep_curve(Job *j, int curve, int *top)
 {
   Model *m = j->m;
-  if (j->thickness > 0) {
+  if (j->thickness != 0) {
     *top = offset_curve(j, curve);
   } else {
     *top = model__copy_curve(m, curve, j->loc);
@@ -337,13 +337,14 @@ static bool sweep_is_good(const Sweep *s, bool whole_turns, SrcLoc loc, Diag *di
                whole_turns ? "2 pi" : "pi");
     return false;
   }
+  bool against = !s->translate && !s->rotate && s->layers.height[0] < 0; // the normals
   for (int i = 0; i < s->layers.n; i++) {
     if (s->layers.count[i] < 1 || s->layers.count[i] > 100000000) {
       diag_error(diag, loc, "Layers: %d elements in layer %d; there must be at least 1", s->layers.count[i], i + 1);
       return false;
     }
     double below = i ? s->layers.height[i - 1] : 0;
-    if (s->layers.height[i] > below) continue;
+    if (against ? s->layers.height[i] < below : s->layers.height[i] > below) continue;
     diag_error(diag, loc, "Layers: heights must increase, but %g is followed by %g", below, s->layers.height[i]);
     return false;
   }

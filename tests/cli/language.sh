@@ -179,6 +179,12 @@ mesh "$occ Point(1)={0,0,0};Point(2)={3,0,0};Point(3)={1.5,-.4,0};Point(4)={3,2,
 Line(4)={5,1};Curve Loop(1)={1:4};Plane Surface(1)={1};Rectangle(2)={1,-1,0,1,2}; f()=BooleanDifference{Surface{1};Delete;}{Surface{2};Delete;}; MeshSize{:}=.03;"
 area 5.4148 1e-3 # 6 + 0.8 under the axis; what goes: 1 + 0.3852 of that
 
+# ---- layers along normals, on both sides ----
+name="negative heights are on the other side"
+mesh "Point(1)={0,0,0,.3};Point(2)={1,0,0,.3};Point(3)={1,1,0,.3}; Line(1)={1,2};Line(2)={2,3};
+a[]=Extrude{Curve{1,2}; Layers{2,.1}; Using Index[0];}; b[]=Extrude{Curve{1,2}; Layers{2,-.1}; Using Index[1];}; Physical Surface(1)={a[1],a[5],b[1],b[5]};"
+area 0.4 1e-12
+
 # ---- the tree of a script ----
 printf 'x = 1 + 2;\nPoint(1) = {0, x, 0};\nPrintf("never run");\n' >tree.geo
 exits 0 "-dump_ast" "$MESHGEN" -dump_ast tree.geo
