@@ -1,12 +1,13 @@
 // blossom_forest.c - alternating trees over tight edges, while duals stay
 // SPDX-License-Identifier: MIT
 //
-// What settling leaves is mostly free vertices that can reach nothing but themselves, by an odd cycle. One forest, grown from
-// all of them in breadth-first order, finds it.
+// What settling leaves is mostly free vertices that can reach nothing but themselves, by an odd cycle. One
+// forest, grown from all of them in breadth-first order, finds it.
 #include "base/base.h"
 #include "quad/blossom_tight.h"
 
-// Marks: base + 2 * tree for inner vertices, 1 more for outer ones; less than base: not in the present forest.
+// Marks: base + 2 * tree for inner vertices, 1 more for outer ones; less than base: not in the present
+// forest.
 typedef struct {
   Frac *f;
   Tight *t;
@@ -57,8 +58,8 @@ static uint32_t common_ancestor(const Forest *s, uint32_t x, uint32_t y)
   return x;
 }
 
-// The outer vertices x and y of one tree are joined by a tight edge: the cycle stays that goes up from each of them to their
-// common ancestor.
+// The outer vertices x and y of one tree are joined by a tight edge: the cycle stays that goes up from each
+// of them to their common ancestor.
 static void make_cycle(const Forest *s, uint32_t x, uint32_t y)
 {
   uint32_t top = common_ancestor(s, x, y), next = y;

@@ -1,4 +1,4 @@
-// blossom_frac.h - the fractional matching the solver starts from: structures shared by its two files
+// blossom_frac.h - the fractional matching the solver starts from: structures shared by its files
 // SPDX-License-Identifier: MIT
 #ifndef QUAD_BLOSSOM_FRAC_H
 #define QUAD_BLOSSOM_FRAC_H

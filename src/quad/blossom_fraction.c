@@ -4,7 +4,8 @@
 // Its solutions are edges and odd cycles with half of each edge [Balinski1965]. On duals of meshes few cycles are left, and
 // their number, not that of the free vertices of a greedy start, is what the search with blossoms has to do. There are no
 // blossoms here: outer and inner nodes are single vertices, and a tree that closes an odd cycle is done. Three means take turns:
-// small trees one by one, exchanges over tight edges (blossom_settle.c), and all trees at once.
+// small trees one by one, exchanges over tight edges (blossom_settle.c, blossom_forest.c), and all trees at once; where nearly
+// all edges are tight, on a graph of regions (blossom_regions.c).
 #include "base/base.h"
 #include "quad/blossom_tight.h"
 
@@ -12,7 +13,7 @@
 // no more than n. All at once: they stop at n.
 enum { FIRST_CAP = 64, CAP_FACTOR = 3 };
 
-// Of FEW vertices less than one is free.
+// Few are free: less than one vertex in FEW.
 enum { FEW = 4096 };
 
 // ---- trees
@@ -262,8 +263,7 @@ static uint32_t rounds_alone(Frac *f, uint32_t left)
   return left;
 }
 
-// Match what tight edges allow; in regions first if there are any. Where few are left, they see hardly anything but odd
-// cycles.
+// Match what tight edges allow; in regions first if there are any. Few that are left see hardly anything but odd cycles.
 static uint32_t settle(Frac *f, Tight *t, bool regions)
 {
   tight__read(f, t);

@@ -1,19 +1,19 @@
 // blossom_settle.c - free vertices are brought together over tight edges
 // SPDX-License-Identifier: MIT
 //
-// A free vertex moves over a tight edge and the matched edge behind it: the two are exchanged. Here all of them move towards
-// each other, along distances found by one breadth-first search for all. Most find their aim taken by another; they go on
-// along distances that they correct for themselves as they go [Goldberg1988], for a while, and then distances are made
-// anew.
+// A free vertex moves over a tight edge and the matched edge behind it: the two are exchanged. Here all of
+// them move towards each other, along distances found by one breadth-first search for all. Most find their
+// aim taken by another; they go on along distances that they correct for themselves as they go
+// [Goldberg1988], for a while, and then distances are made anew.
 #include "base/base.h"
 #include "quad/blossom_tight.h"
 
-// The mark of a vertex is its level: `base` + the number of matched edges between it and the nearest aim; less than `base`: not
-// reached.
+// The mark of a vertex is its level: `base` + the number of matched edges between it and the nearest aim;
+// less than `base`: not reached.
 typedef struct {
   Frac *f;
   Tight *t;
-  bool within;              // only between the sides of regions: those on side 0 move, and those on side 1 are the aims
+  bool within;  // only between the sides of regions: those on side 0 move, and those on side 1 are the aims
   uint32_t base, next_base; // levels of the present search, and of the next one
   U32Vec mover; // free vertices that may still find a partner
   U32Vec near;  // those of them that the search reached, nearest first
@@ -21,8 +21,8 @@ typedef struct {
   U32Vec cycle; // vertices that are or were on odd cycles: aims as well
 } Settle;
 
-// A search gives up when it has gone on for GIVE_UP times its way to the last mover reached, and n / SURE_PART. A mover gives
-// up when it has corrected n / PATIENCE distances.
+// A search gives up when it has gone on for GIVE_UP times its way to the last mover reached, and n /
+// SURE_PART. A mover gives up when it has corrected n / PATIENCE distances.
 enum { GIVE_UP = 2, SURE_PART = 64, PATIENCE = 1024 };
 
 static void init(Settle *s)
@@ -107,8 +107,8 @@ static void match(const Settle *s, uint32_t x, uint32_t y)
 
 // ---- moves
 
-// From x, by the tight edge whose far mate has the least level: to be matched at the end of that edge if the vertex there
-// is single. NONE: there is no way.
+// From x, by the tight edge whose far mate has the least level: to be matched at the end of that edge if the
+// vertex there is single. NONE: there is no way.
 static uint32_t best_way(const Settle *s, uint32_t x, uint32_t from, uint32_t *least)
 {
   const Tight *t = s->t;

@@ -37,11 +37,11 @@ void tight__write(const Frac *f, const Tight *t)
 {
   for (uint32_t v = 0; v < f->n; v++) {
     FracVertex *x = &f->v[v];
-    uint32_t w = t->v[v].mate;
+    uint32_t w = t->v[v].mate, a = x->match;
     if (w == NONE) {
       x->match = NONE;
       if (t->v[v].mark != ON_CYCLE) x->pred = NONE;
-    } else if (v < w && !(x->match != NONE && f->arc[x->match].head == w && f->v[w].match == f->arc[x->match].rev))
+    } else if (v < w && (a == NONE || f->arc[a].head != w || f->v[w].match != f->arc[a].rev))
       frac__match(f, tight__arc(f, v, w));
   }
 }
@@ -139,7 +139,8 @@ static uint32_t strong_parts(const Frac *f, Tight *t)
   return p.part + 1;
 }
 
-// By symmetry the mates of a part are a part. Where the two are the same, there are odd cycles, and each pair is a region.
+// By symmetry the mates of a part are a part. Where the two are the same, there are odd cycles, and each
+// pair is a region.
 uint32_t tight__regions(const Frac *f, Tight *t)
 {
   uint32_t least = strong_parts(f, t), nregion = 0, nparts = UINT32_MAX - least;

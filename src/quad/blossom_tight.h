@@ -14,10 +14,10 @@ typedef struct {
 
 #define ON_CYCLE UINT32_MAX
 
-// A region is a set of matched pairs, one of each on side 0 and its mate on side 1, such that every vertex of a side can be
-// reached from every other one by moving over a tight edge to the other side and back over a matched edge. So a tree that
-// takes in one of its pairs takes in all of them, at once and with the same signs. What is free or on an odd cycle is a
-// region by itself.
+// A region is a set of matched pairs, one of each on side 0 and its mate on side 1, such that every vertex
+// of a side can be reached from every other one by moving over a tight edge to the other side and back over
+// a matched edge. So a tree that takes in one of its pairs takes in all of them, at once and with the same
+// signs. What is free or on an odd cycle is a region by itself.
 typedef struct {
   TightVertex *v;  // n
   uint32_t *start; // n + 1: tight edges of v lead to head[start[v]] .. head[start[v + 1] - 1]
@@ -63,13 +63,13 @@ uint32_t tight__regions(const Frac *f, Tight *t);
 // could have been matched. If `within`, only over edges between the two sides of a region.
 void tight__settle(Frac *f, Tight *t, bool within);
 
-// What tight__settle leaves: free vertices that see an odd cycle of tight edges are put on it, and some that see each other are
-// matched.
+// What tight__settle leaves: free vertices that see an odd cycle of tight edges are put on it, and some that
+// see each other are matched.
 void tight__forest(Frac *f, Tight *t);
 
-// All trees at once, on the graph of regions: from free vertices, until each has met something. Paths are matched only between
-// regions; inside of them they leave pairs of free vertices, for which there are tight ways across the region. All
-// vertices are idle before and after, and sides of t are kept up.
+// All trees at once, on the graph of regions: from free vertices, until each has met something. Paths are
+// matched only between regions; inside of them they leave pairs of free vertices, for which there are tight
+// ways across the region. All vertices are idle before and after, and sides of t are kept up.
 void frac__grow_regions(Frac *f, Tight *t, uint32_t nregion);
 
 #endif
