@@ -253,7 +253,7 @@ def recombine_one(job):
     row = {"file": name, "algorithm": algorithm, "method": method, "state": "-", "quads": 0, "triangles": 0, "seconds": 0.0, "note": "", "pass": False}
     scratch = tempfile.mkdtemp(prefix="meshgen-corpus.")
     try:
-        copy_beside(path, scratch)
+        copy_beside(path, scratch, opt.stand_in)
         prog = os.environ.get("MESHGEN", os.path.join(ROOT, "build/release/meshgen"))
         args = [prog, "-2", "-v", "2", name, "-o", "out.msh2", "-format", "msh2", "-no_report"]
         for key, value in (("Algorithm", algorithm), ("RecombineAll", 1), ("RecombinationAlgorithm", method)):
@@ -291,12 +291,13 @@ def recombine_one(job):
 def recombine(files, opt):
     methods = [0, 1, 2, 3] if opt.recombine == "all" else [int(w) for w in opt.recombine.split(",")]
     jobs = [(os.path.join(opt.folder, f), opt, a, m) for f in files for a in map(int, opt.algorithms.split(",")) for m in methods]
-    with concurrent.futures.ThreadPoolExecutor(opt.jobs) as ex:
-        rows = list(ex.map(recombine_one, jobs))
+    rows = []
     print("%-52s %4s %4s %-8s %9s %9s %8s  %s" % ("file", "alg", "rec", "state", "quads", "triangles", "seconds", "note"))
-    for r in rows:
-        mark = "" if r["pass"] else "NOT GOOD: "
-        print("%-52s %4d %4d %-8s %9d %9d %8.2f  %s%s" % (r["file"][:52], r["algorithm"], r["method"], r["state"], r["quads"], r["triangles"], r["seconds"], mark, r["note"]))
+    with concurrent.futures.ThreadPoolExecutor(opt.jobs) as ex:
+        for r in ex.map(recombine_one, jobs):
+            rows.append(r)
+            mark = "" if r["pass"] else "NOT GOOD: "
+            print("%-52s %4d %4d %-8s %9d %9d %8.2f  %s%s" % (r["file"][:52], r["algorithm"], r["method"], r["state"], r["quads"], r["triangles"], r["seconds"], mark, r["note"]), flush=True)
     good = sum(1 for r in rows if r["pass"])
     print("%d quadrangles, %d triangles; with methods 1 to 3 %d triangles, each in a face whose boundary is fixed odd unless listed as not good"
           % (sum(r["quads"] for r in rows), sum(r["triangles"] for r in rows), sum(r["triangles"] for r in rows if r["method"])))
