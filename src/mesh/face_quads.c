@@ -28,14 +28,20 @@ bool face_is_split(const Model *m, const Face *f, const Mesh1d *curves, const Op
 
 // Algorithms 8 and 9 make triangles that are halves of squares, the others equilateral ones. Split, a pair becomes four quadrangles and a
 // single triangle three; without, triangles that the greedy method leaves are not made larger for it.
+double face_quads_single_factor(const Options *o, bool coarse)
+{
+  int r = o->Mesh_RecombinationAlgorithm;
+  double single = !coarse ? 0 : r == QUAD_SPLIT ? 1 : r == QUAD_FULL_GREEDY ? GREEDY_SINGLE : 0;
+  return sqrt((2 + single) / 2);
+}
+
 double face_quads_size_factor(const Face *f, const Options *o, bool coarse)
 {
   int a = f->algorithm ? f->algorithm : o->Mesh_Algorithm, r = o->Mesh_RecombinationAlgorithm;
   if (!face_is_recombined(f, o)) return 1;
   double per_square = a == 8 || a == 9 ? 2 : sqrt(3);
   if (!coarse) return r == QUAD_GREEDY ? 1 : sqrt(2 / per_square);
-  double single = r == QUAD_SPLIT ? 1 : r == QUAD_FULL_GREEDY ? GREEDY_SINGLE : 0;
-  return 2 * sqrt((2 + single) / per_square);
+  return 2 * face_quads_single_factor(o, coarse) * sqrt(2 / per_square);
 }
 
 // ---- in -----------------------------------------------------------------------------------------------------------------
@@ -142,7 +148,7 @@ static void put_elements(const QuadMesh *q, const uint32_t *id, FaceMesh *out)
 }
 
 bool face_quads(const Tri *t, const FaceGraph *g, const FaceMap *map, const Options *o, uint32_t base,
-                const FaceSizes *sizes, FaceMesh *out, Diag *diag)
+                const FaceSizes *sizes, FaceMesh *out, size_t *excess, Diag *diag)
 {
   Work w = {.tri = t, .graph = g, .map = map, .sizes = sizes};
   take_triangles(&w);
@@ -160,6 +166,7 @@ bool face_quads(const Tri *t, const FaceGraph *g, const FaceMap *map, const Opti
                  report.cut                              ? "quadrangles there would not be convex"
                  : report.triangles > report.odd_parts ? "there are no pairs that would be convex quadrangles"
                                                          : "its boundary has an odd number of edges");
+  *excess = said && report.triangles > report.odd_parts ? report.triangles - report.odd_parts : 0;
   out->matching_seconds = report.matching_seconds;
   uint32_t *id = number_vertices(&w, base, out);
   put_elements(&w.mesh, id, out);

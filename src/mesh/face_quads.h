@@ -17,6 +17,9 @@ bool face_is_split(const Model *m, const Face *f, const Mesh1d *curves, const Op
 // area of a square of side sqrt(sqrt(3)/2) H, which smoothing turns it into; splitting every element halves that, and makes three
 // quadrangles of a triangle that is single.
 double face_quads_size_factor(const Face *f, const Options *o, bool coarse);
+// The part of it that single triangles ask for. It is what sizes extended from the boundary are multiplied by: meshes are more regular
+// where triangles are as long there as the edges of the boundary.
+double face_quads_single_factor(const Options *o, bool coarse);
 
 // Edge lengths wanted in the plane of the face.
 typedef struct {
@@ -27,10 +30,10 @@ typedef struct {
 } FaceSizes;
 
 // What extract is for triangles: the triangles of t that are inside, recombined, appended to out. g is the graph that t was made from,
-// base the number of nodes of points and curves. Warns where triangles remain
-// although quadrangles only were asked for. False, with out as it was, if g is coarse and the nodes left out, put back on the curves,
+// base the number of nodes of points and curves. Warns where triangles remain although quadrangles only were asked for; *excess are those
+// that no odd number of edges explains. False, with out as it was, if g is coarse and the nodes left out, put back on the curves,
 // turn elements over: then the face is to be meshed with all its boundary nodes.
 bool face_quads(const Tri *t, const FaceGraph *g, const FaceMap *map, const Options *o, uint32_t base,
-                const FaceSizes *sizes, FaceMesh *out, Diag *diag);
+                const FaceSizes *sizes, FaceMesh *out, size_t *excess, Diag *diag);
 
 #endif

@@ -130,11 +130,20 @@ static bool keep_whole(void *ctx, VertId u, VertId v, double at, Vec2 *point)
   return false;
 }
 
-// False, with nothing said and nothing made, if `coarse` (every second boundary node left out, and put back at the end) gives
-// no valid mesh: the coarse polygon of a curve of few edges may overlap itself or be far from the curve.
-static bool try_plane_face(const Driver *d, size_t k, SizeEval *eval, bool coarse, FaceMesh *out, Diag *diag)
+// One way to mesh a face.
+typedef struct {
+  bool coarse;     // every second boundary node is left out, and put back at the end
+  double finer;    // what sizes inside are multiplied by
+  bool adapt;      // by MeshAdapt, whatever the algorithm
+  size_t excess;   // result: triangles left for want of pairs that are convex
+} Attempt;
+
+// False, with nothing said and nothing made, if a coarse attempt gives no valid mesh: the coarse polygon of a curve of few edges may
+// overlap itself or be far from the curve.
+static bool try_plane_face(const Driver *d, size_t k, SizeEval *eval, Attempt *attempt, FaceMesh *out, Diag *diag)
 {
   const Face *f = model_face_at(d->in->model, k);
+  bool coarse = attempt->coarse;
   FaceGraph g = {.coarse = coarse};
   Filling filling;
   FaceMap map = {f, filling_wanted(&filling, d->in->model, f) ? &filling : NULL, eval, NULL};
@@ -149,16 +158,18 @@ static bool try_plane_face(const Driver *d, size_t k, SizeEval *eval, bool coars
   if (face_graph_mesh(&g, d->in->model, f, &t, diag)) {
     SizeInPlane here = {eval, f};
     TriRefineParams p = mesh2d_refine_params(d->in->options, f, &here);
+    if (attempt->adapt) p.algorithm = REFINE_ADAPT;
     if (map.filling) {
       if (p.extend_from_boundary) map.curves = d->in->curves;
       p.extend_from_boundary = false; // lengths in the plane of the filling are not those on it
       p.size = filling_size;
       p.size_ctx = &map;
     }
-    Scaled scaled = {p.size, p.size_ctx, face_quads_size_factor(f, d->in->options, g.coarse)};
+    Scaled scaled = {p.size, p.size_ctx, face_quads_size_factor(f, d->in->options, g.coarse) * attempt->finer};
     if (scaled.factor != 1) {
       p.size = scaled_size;
       p.size_ctx = &scaled;
+      p.carried_factor = attempt->finer * face_quads_single_factor(d->in->options, g.coarse); // a coarse boundary is of double size itself
     }
     double *sizes = NULL, *bound = embedded_sizes(d, f, &g, eval);
     p.vertex_size = bound;
@@ -176,9 +187,9 @@ static bool try_plane_face(const Driver *d, size_t k, SizeEval *eval, bool coars
                  p.max_triangles);
       out->failed = true;
     } else if (face_is_recombined(f, d->in->options)) {
-      for (size_t v = 0; v < t.nv; v++) sizes[v] /= scaled.factor;
+      for (size_t v = 0; v < t.nv; v++) sizes[v] /= scaled.factor / attempt->finer;
       FaceSizes wanted = {sizes, scaled.size, scaled.ctx, p.extend_from_boundary};
-      valid = face_quads(&t, &g, &map, d->in->options, (uint32_t)d->nodes->n, &wanted, out, diag);
+      valid = face_quads(&t, &g, &map, d->in->options, (uint32_t)d->nodes->n, &wanted, out, &attempt->excess, diag);
     } else {
       extract(&t, &g, d, &map, sizes, out);
     }
@@ -193,6 +204,34 @@ static bool try_plane_face(const Driver *d, size_t k, SizeEval *eval, bool coars
   return valid;
 }
 
+// Where triangles are left because nothing convex can be made of them, as in strips between edges much longer than the strip is wide,
+// smaller or other ones may do. If not, the first attempt stands.
+static void mesh_fine_enough(const Driver *d, size_t k, SizeEval *eval, FaceMesh *out, Diag *diag)
+{
+  static const Attempt way[] = {{.finer = 1}, {.finer = 0.7}, {.finer = 0.7, .adapt = true}, {.finer = 0.5}, {.finer = 0.5, .adapt = true}};
+  FaceMesh first = {0};
+  Diag *said = NULL;
+  for (size_t i = 0; i < ARRAY_LEN(way); i++) {
+    Attempt attempt = way[i];
+    FaceMesh mesh = {0};
+    Diag *now = diag_child(diag);
+    try_plane_face(d, k, eval, &attempt, &mesh, now);
+    bool good = !mesh.failed && attempt.excess == 0;
+    if (i == 0 || good) {
+      face_mesh_free(&first);
+      diag_free(said);
+      first = mesh;
+      said = now;
+      if (good || mesh.failed) break;
+    } else {
+      face_mesh_free(&mesh);
+      diag_free(now);
+    }
+  }
+  *out = first;
+  diag_merge(diag, said);
+}
+
 static void mesh_plane_face(const Driver *d, size_t k, SizeEval *eval, FaceMesh *out, Diag *diag)
 {
   const Face *f = model_face_at(d->in->model, k);
@@ -201,7 +240,8 @@ static void mesh_plane_face(const Driver *d, size_t k, SizeEval *eval, FaceMesh 
   if (!boundary_layers_on(d->in->layers, k) && !filling_wanted(&filling, d->in->model, f) &&
       face_is_split(d->in->model, f, d->in->curves, d->in->options)) {
     Diag *said = diag_child(diag);
-    bool valid = try_plane_face(d, k, eval, true, out, said);
+    Attempt attempt = {.coarse = true, .finer = 1};
+    bool valid = try_plane_face(d, k, eval, &attempt, out, said);
     if (valid) {
       diag_merge(diag, said);
       size_eval_report(eval, diag); // after a failure the next attempt says it
@@ -209,7 +249,7 @@ static void mesh_plane_face(const Driver *d, size_t k, SizeEval *eval, FaceMesh 
     }
     diag_free(said);
   }
-  try_plane_face(d, k, eval, false, out, diag);
+  mesh_fine_enough(d, k, eval, out, diag);
 }
 
 // ---- all faces --------------------------------------------------------------------------------------------------------

@@ -191,28 +191,25 @@ static bool patch_valid(const QuadPatch *p, const Vec2 *xy)
   return true;
 }
 
-bool quad__patch_has_room(QuadEdit *d, const QuadPatch *p)
+// Count one element more (by 1) or less (by -1) at its corners. False if a vertex has no room for so many.
+static bool count_element(QuadEdit *d, const uint32_t *corner, int by)
 {
-  for (size_t i = 0; i < p->n; i++) {
-    const uint32_t *v = &d->m->vertex.data[4 * (size_t)p->element[i]];
-    for (int k = 0; k < 4 && v[0] != NONE; k++)
-      if (v[k] != NONE) d->count.data[v[k]]--;
+  bool room = true;
+  for (int k = 0; k < 4 && corner[0] != NONE; k++) {
+    if (corner[k] == NONE) continue;
+    d->count.data[corner[k]] = (uint8_t)(d->count.data[corner[k]] + by);
+    room &= d->count.data[corner[k]] <= d->room.data[corner[k]];
   }
-  size_t added = 0;
-  for (; added < 4 * p->n; added++) {
-    uint32_t v = p->corner[added];
-    if (p->corner[added / 4 * 4] == NONE || v == NONE) continue;
-    if (d->count.data[v] >= d->room.data[v]) break;
-    d->count.data[v]++;
-  }
-  bool room = added == 4 * p->n;
-  while (added-- > 0)
-    if (p->corner[added / 4 * 4] != NONE && p->corner[added] != NONE) d->count.data[p->corner[added]]--;
-  for (size_t i = 0; i < p->n; i++) {
-    const uint32_t *v = &d->m->vertex.data[4 * (size_t)p->element[i]];
-    for (int k = 0; k < 4 && v[0] != NONE; k++)
-      if (v[k] != NONE) d->count.data[v[k]]++;
-  }
+  return room;
+}
+
+bool quad__has_room(QuadEdit *d, const uint32_t *element, const uint32_t *corner, size_t n)
+{
+  bool room = true;
+  for (size_t i = 0; i < n; i++) count_element(d, &d->m->vertex.data[4 * (size_t)element[i]], -1);
+  for (size_t i = 0; i < n; i++) room &= count_element(d, corner + 4 * i, 1);
+  for (size_t i = 0; i < n; i++) count_element(d, corner + 4 * i, -1);
+  for (size_t i = 0; i < n; i++) count_element(d, &d->m->vertex.data[4 * (size_t)element[i]], 1);
   return room;
 }
 
@@ -238,21 +235,21 @@ static void take_out(QuadEdit *d, uint32_t v, uint32_t e)
   d->count.data[v]--;
 }
 
-void quad__patch_commit(QuadEdit *d, const QuadPatch *p)
+void quad__replace(QuadEdit *d, const uint32_t *element, const uint32_t *corner, size_t n)
 {
-  for (size_t i = 0; i < p->n; i++) {
-    const uint32_t *v = &d->m->vertex.data[4 * (size_t)p->element[i]];
+  for (size_t i = 0; i < n; i++) {
+    const uint32_t *v = &d->m->vertex.data[4 * (size_t)element[i]];
     for (int k = 0; k < 4; k++)
-      if (v[0] != NONE && v[k] != NONE) take_out(d, v[k], p->element[i]), quad__enqueue(d, v[k]);
+      if (v[0] != NONE && v[k] != NONE) take_out(d, v[k], element[i]), quad__enqueue(d, v[k]);
   }
-  for (size_t i = 0; i < p->n; i++) {
-    uint32_t *v = &d->m->vertex.data[4 * (size_t)p->element[i]];
+  for (size_t i = 0; i < n; i++) {
+    uint32_t *v = &d->m->vertex.data[4 * (size_t)element[i]];
     bool lived = v[0] != NONE;
-    for (size_t k = 0; k < 4; k++) v[k] = p->corner[4 * i + k];
-    if (v[0] == NONE && lived) vec_push(&d->dead, p->element[i]);
+    for (size_t k = 0; k < 4; k++) v[k] = corner[4 * i + k];
+    if (v[0] == NONE && lived) vec_push(&d->dead, element[i]);
     for (int k = 0; k < 4; k++) {
       if (v[0] == NONE || v[k] == NONE) continue;
-      d->pool.data[d->start.data[v[k]] + d->count.data[v[k]]++] = p->element[i];
+      d->pool.data[d->start.data[v[k]] + d->count.data[v[k]]++] = element[i];
       quad__enqueue(d, v[k]);
     }
   }
@@ -295,8 +292,8 @@ bool quad__patch_end(QuadEdit *d, QuadPatch *p)
     last = now.energy;
     moved = !keep && sweep < SWEEPS && find_places(d, p, sweep ? 2 : 1);
   }
-  keep = keep && quad__patch_has_room(d, p);
-  if (keep) quad__patch_commit(d, p);
+  keep = keep && quad__has_room(d, p->element, p->corner, p->n);
+  if (keep) quad__replace(d, p->element, p->corner, p->n);
   else
     for (size_t i = 0; i < p->ncore; i++) xy[p->core[i]] = p->old[i];
   return keep;

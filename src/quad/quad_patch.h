@@ -36,6 +36,10 @@ uint32_t quad__across(const QuadEdit *d, uint32_t e, uint32_t a, uint32_t b);
 bool quad__is_locked(const QuadEdit *d, uint32_t a, uint32_t b);
 // True if x is joined to y by an edge.
 bool quad__joined(const QuadEdit *d, uint32_t x, uint32_t y);
+// n elements are to have the corners corner[4n], NONE first: none. Has every vertex room for the elements it is to have?
+bool quad__has_room(QuadEdit *d, const uint32_t *element, const uint32_t *corner, size_t n);
+// Make them so, and enqueue all vertices of them, whatever that is worth.
+void quad__replace(QuadEdit *d, const uint32_t *element, const uint32_t *corner, size_t n);
 
 // Skew of elements that must change, a shape of 0.3.
 #define PATCH_BAD 0.794
@@ -61,10 +65,6 @@ uint32_t *quad__patch_element(QuadPatch *p, uint32_t e);
 void quad__patch_replace(QuadPatch *p, uint32_t from, uint32_t to);
 // Would quad__patch_end give up at once, as n elements was[4n] become is[4n] and no others change?
 bool quad__is_hopeless(const QuadEdit *d, const uint32_t *was, const uint32_t *is, size_t n, int gain);
-// Has every vertex room for the elements it is to have?
-bool quad__patch_has_room(QuadEdit *d, const QuadPatch *p);
-// Make the elements what they are to be, and enqueue all vertices of them, whatever that is worth.
-void quad__patch_commit(QuadEdit *d, const QuadPatch *p);
 // Let the core find better places, then keep the new elements if they are better by valences and energy, and none is worse than the worst
 // was or than the floor; or if the worst was bad and has got better. Else take everything back. True if kept.
 bool quad__patch_end(QuadEdit *d, QuadPatch *p);

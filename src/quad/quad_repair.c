@@ -7,13 +7,14 @@
 #include "base/base.h"
 #include "quad/quad_patch.h"
 
-enum { SETTLE = 30, TARGETS = 6, LONGEST = 40 };
+enum { SETTLE = 30, TARGETS = 6, LONGEST = 1000 };
 
 typedef struct {
   QuadEdit d;
   U32Vec from;   // by element: where the search came from; NONE: it did not
   U32Vec queue;
   U32Vec path;   // elements of the way, the first and the last a triangle
+  U32Vec corner; // of them, as they are to be
 } Repair;
 
 // ---- the way
@@ -117,17 +118,17 @@ static bool join_triangles(const Vec2 *xy, uint32_t *t, uint32_t *u)
 static bool move_along(Repair *r)
 {
   const Vec2 *xy = r->d.m->xy.data;
-  QuadPatch p = {.n = r->path.len};
-  if (p.n > LONGEST) return false;
-  for (size_t i = 0; i < p.n; i++) {
-    p.element[i] = r->path.data[i];
-    memcpy(&p.corner[4 * i], element(r, p.element[i]), 4 * sizeof *p.corner);
-  }
-  bool good = true;
-  for (size_t i = 0; good && i + 2 < p.n; i++) good = step_triangle(xy, &p.corner[4 * i], &p.corner[4 * i + 4], &p.corner[4 * i + 8]);
-  good = good && join_triangles(xy, &p.corner[4 * p.n - 8], &p.corner[4 * p.n - 4]) && quad__patch_has_room(&r->d, &p);
-  if (good) quad__patch_commit(&r->d, &p);
-  return good;
+  const uint32_t *path = r->path.data;
+  size_t n = r->path.len;
+  if (n > LONGEST) return false;
+  vec_resize(&r->corner, 4 * n);
+  uint32_t *c = r->corner.data;
+  for (size_t i = 0; i < n; i++) memcpy(&c[4 * i], element(r, path[i]), 4 * sizeof *c);
+  for (size_t i = 0; i + 2 < n; i++)
+    if (!step_triangle(xy, &c[4 * i], &c[4 * i + 4], &c[4 * i + 8])) return false;
+  if (!join_triangles(xy, &c[4 * n - 8], &c[4 * n - 4]) || !quad__has_room(&r->d, path, c, n)) return false;
+  quad__replace(&r->d, path, c, n);
+  return true;
 }
 
 // ---- a row of new vertices along it
@@ -182,29 +183,23 @@ static void row_vertex(const Repair *r, Row *w, uint32_t v)
   vec_push(&w->at, r->d.m->xy.data[v]);
 }
 
-// Write the n elements to[4n], the first in the place of e. False if a vertex has no room for them.
+// Write n elements, 3 at most, to[4n], the first in the place of e. False if a vertex has no room for them.
 static bool row_replace(Repair *r, Row *w, uint32_t e, const uint32_t *to, size_t n)
 {
-  QuadPatch p = {.n = n};
+  uint32_t id[3];
   for (size_t i = 0; i < n; i++) {
-    p.element[i] = i ? quad__edit_add_element(&r->d) : e;
-    vec_push(&w->element, p.element[i]);
-    for (size_t k = 0; k < 4; k++) vec_push(&w->old, element(r, p.element[i])[k]);
+    id[i] = i ? quad__edit_add_element(&r->d) : e;
+    vec_push(&w->element, id[i]);
+    for (size_t k = 0; k < 4; k++) vec_push(&w->old, element(r, id[i])[k]);
   }
-  memcpy(p.corner, to, 4 * n * sizeof *to);
-  if (!quad__patch_has_room(&r->d, &p)) return false;
-  quad__patch_commit(&r->d, &p);
+  if (!quad__has_room(&r->d, id, to, n)) return false;
+  quad__replace(&r->d, id, to, n);
   return true;
 }
 
 static void row_undo(Repair *r, const Row *w)
 {
-  for (size_t i = w->element.len; i-- > 0;) {
-    QuadPatch p = {.n = 1};
-    p.element[0] = w->element.data[i];
-    memcpy(p.corner, &w->old.data[4 * i], 4 * sizeof *p.corner);
-    quad__patch_commit(&r->d, &p);
-  }
+  for (size_t i = w->element.len; i-- > 0;) quad__replace(&r->d, &w->element.data[i], &w->old.data[4 * i], 1);
   for (size_t i = 0; i < w->vertex.len; i++) r->d.m->xy.data[w->vertex.data[i]] = w->at.data[i];
 }
 
@@ -300,4 +295,5 @@ void quad_repair(QuadMesh *m, QuadReport *report)
   vec_free(&r.from);
   vec_free(&r.queue);
   vec_free(&r.path);
+  vec_free(&r.corner);
 }

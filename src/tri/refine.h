@@ -42,6 +42,7 @@ typedef struct {
   // segments, of its shortest edge), interpolated linearly; the wanted size is the smaller of this and size().
   // Always on where size is NULL.
   bool extend_from_boundary;
+  double carried_factor; // what all carried sizes are multiplied by; 0: as they are
   // Upper bound of the carried size of each initial vertex, such as the size asked for at an embedded point; NULL: none.
   // The caller owns it; as many entries as the triangulation has vertices.
   const double *vertex_size;

@@ -36,6 +36,7 @@ static void carry_from_boundary(Refiner *r)
     if (count[v]) r->carried[v] = sum[v] / count[v];
     if (r->p->vertex_size) r->carried[v] = fmin(r->carried[v], r->p->vertex_size[v]);
     if (!isfinite(r->carried[v])) r->carried[v] = 1; // an isolated vertex, which nobody will ask
+    if (r->p->carried_factor > 0) r->carried[v] *= r->p->carried_factor;
   }
   free(sum);
   free(count);

@@ -131,6 +131,23 @@ for method in 1 2 3; do
   exits 0 "method $method: odd numbers everywhere leave one triangle a face" "$MESHGEN" -2 fixed.geo \
     -setnumber Mesh.RecombineAll 1 -setnumber Mesh.RecombinationAlgorithm $method -o o.msh -require triangles=2
 done
+# A strip narrower than the edges on both sides, which do not face each other: few pairs are convex.
+cat >strip.geo <<'G'
+DefineConstant[ m = {6}, k = {4}, w = {49} ];
+L = k * (m * 98 + 2); Point(1) = {0, 0, 0, 100}; Point(2) = {L, 0, 0, 100}; Line(1) = {1, 2}; Transfinite Curve{1} = Round(L / 100) + 1;
+x = L; p = 100; Point(p) = {x, w, 0, 100}; Line(2) = {2, p}; Transfinite Curve{2} = 2; c() = {1, 2};
+For j In {1:k}
+  For i In {1:m + 1}
+    x -= (i == m / 2) ? 2 : 98; Point(p + 1) = {x, w, 0, 100}; Line(p) = {p, p + 1}; Transfinite Curve{p} = 2; c() += {p}; p += 1;
+  EndFor
+EndFor
+Line(3) = {p, 1}; Transfinite Curve{3} = 2; c() += {3};
+Curve Loop(1) = {c()}; Plane Surface(1) = {1}; Recombine Surface{1};
+G
+for w in 30 40 49 60; do
+  exits 0 "a strip of width $w" "$MESHGEN" -2 strip.geo -setnumber w $w -o s.msh -require triangles=0
+  exits 0 "a strip of width $w, shorter" "$MESHGEN" -2 strip.geo -setnumber w $w -setnumber k 2 -setnumber m 12 -o s.msh -require triangles=0
+done
 # Boundary layers: tips of fans, walls of all angles at curves that cannot take the nodes of the layers, explicit odd numbers.
 cat >layers.geo <<'G'
 h = 0.12;
