@@ -4,6 +4,9 @@
 #include "quad/quad_int.h"
 #include "quad/quad_mesh.h"
 
+// How many times better the worst quad of a ring must be than the one that it replaces.
+static const double CLEARLY = 1.5;
+
 // A quad inside the quad p[0 .. 3], its corner i on the way from a centre to p[i], and four more between the sides of both. All are
 // convex if the inner one is, where the centre sees all corners: then even a corner of 180 degrees or more is cut in two.
 typedef struct {
@@ -67,7 +70,7 @@ static bool ring_search(Ring *r)
   return worst < 1 && ring_valid(r);
 }
 
-size_t quad_fill_bad(QuadMesh *m, double min_eta)
+size_t quad_fill_bad(QuadMesh *m, double min_eta, double better)
 {
   size_t ne = quad_mesh_elements(m), filled = 0;
   for (size_t e = 0; e < ne; e++) {
@@ -76,7 +79,8 @@ size_t quad_fill_bad(QuadMesh *m, double min_eta)
     if (v[3] == NONE || (quad__convex(m->xy.data, v) && quad__eta(m, v) >= min_eta)) continue;
     Ring r;
     ring_init(&r, m->xy.data, v);
-    if (!ring_search(&r) || quad__score(r.xy, NULL, r.corner, 5).worst > quad__skew_of_shape(min_eta)) continue;
+    double least = fmax(better, CLEARLY * quad__eta(m, v));
+    if (!ring_search(&r) || quad__score(r.xy, NULL, r.corner, 5).worst > quad__skew_of_shape(least)) continue;
     for (uint32_t i = 4; i < 8; i++) v[i] = quad__add_vertex(m, r.xy[i], v, 4);
     for (size_t i = 0; i < 16; i++) vec_push(&m->vertex, v[r.corner[i]]);
     for (size_t i = 0; i < 4; i++) m->vertex.data[4 * e + i] = v[4 + i];

@@ -98,8 +98,8 @@ void quad_match_blossom(QuadMesh *m, QuadReport *report);
 void quad_repair(QuadMesh *m, QuadReport *report);   // bring leftover triangles of one part together in pairs
 void quad_split_all(QuadMesh *m, const QuadParams *p);
 // Put a smaller quad and four around it in the place of each quad that is not convex or worse than min_eta, where that gives five
-// that are better than min_eta; returns how many.
-size_t quad_fill_bad(QuadMesh *m, double min_eta);
+// that are clearly better than it was and not worse than `better`; returns how many.
+size_t quad_fill_bad(QuadMesh *m, double min_eta, double better);
 size_t quad_cut_bad(QuadMesh *m, double min_eta);    // returns how many quads were cut
 void quad_clean(QuadMesh *m, int rounds, QuadReport *report);
 void quad_smooth(QuadMesh *m, int passes);

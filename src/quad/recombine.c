@@ -239,10 +239,16 @@ size_t quad_cut_bad(QuadMesh *m, double min_eta)
 
 // ---- all together
 
+// Quads worse than that, such as those that alone stand on a boundary vertex, become five if those are better: the clean-up finds ways to
+// go on from there that it does not find from one.
+static const double FILL_ETA = 0.35, FILL_LEAST = 0.05;
+
 static void fill_bad(QuadMesh *m, const QuadParams *p, QuadReport *report)
 {
-  size_t n = quad_fill_bad(m, p->min_eta);
+  size_t n = p->cleanup ? quad_fill_bad(m, FILL_ETA, FILL_LEAST) : 0;
+  n += quad_fill_bad(m, p->min_eta, p->min_eta);
   report->filled += n;
+  if (n && p->cleanup) quad_clean(m, p->cleanup, report);
   if (n && p->smoothing) quad_smooth(m, p->smoothing);
 }
 

@@ -131,6 +131,31 @@ for method in 1 2 3; do
   exits 0 "method $method: odd numbers everywhere leave one triangle a face" "$MESHGEN" -2 fixed.geo \
     -setnumber Mesh.RecombineAll 1 -setnumber Mesh.RecombinationAlgorithm $method -o o.msh -require triangles=2
 done
+# Few elements, corners that are not right, curves inside: the worst quadrangle is no worse than the geometry asks for.
+cat >disc.geo <<'G'
+Point(1) = {0, 0, 0, 0.15}; Point(2) = {1, 0, 0, 0.15}; Point(3) = {-1, 0, 0, 0.15}; Circle(1) = {2, 1, 3}; Circle(2) = {3, 1, 2};
+Curve Loop(1) = {1, 2}; Plane Surface(1) = {1};
+G
+cat >triangle.geo <<'G'
+Point(1) = {0, 0, 0, 0.1}; Point(2) = {1, 0, 0, 0.1}; Point(3) = {0.3, 0.8, 0, 0.1}; Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 1};
+Curve Loop(1) = {1:3}; Plane Surface(1) = {1};
+G
+cat >inside.geo <<'G'
+Point(1) = {0, 0, 0, 0.1}; Point(2) = {1, 0, 0, 0.1}; Point(3) = {1, 1, 0, 0.1}; Point(4) = {0, 1, 0, 0.1};
+For i In {1:4}
+  Line(i) = {i, i % 4 + 1};
+EndFor
+Point(5) = {0.5, 0.5, 0, 0.05}; Point(6) = {0.7, 0.5, 0, 0.05}; Point(7) = {0.3, 0.5, 0, 0.05}; Circle(5) = {6, 5, 7}; Circle(6) = {7, 5, 6};
+Curve Loop(1) = {1:4}; Plane Surface(1) = {1}; Curve{5, 6} In Surface{1};
+G
+for model in disc triangle inside; do
+  for algorithm in 6 8; do
+    for method in 1 2 3; do
+      exits 0 "$model, algorithm $algorithm, method $method: good quadrangles only" "$MESHGEN" -2 $model.geo -setnumber Mesh.RecombineAll 1 \
+        -setnumber Mesh.Algorithm $algorithm -setnumber Mesh.RecombinationAlgorithm $method -o w.msh -require triangles=0 -require "min_eta>0.4"
+    done
+  done
+done
 # A strip narrower than the edges on both sides, which do not face each other: few pairs are convex.
 cat >strip.geo <<'G'
 DefineConstant[ m = {6}, k = {4}, w = {49} ];
