@@ -17,6 +17,13 @@ for f in msh vtk vtu mesh inp su2 unv off obj ply stl; do
   done
   k=$((k + 1))
 done
+for f in msh msh2; do # in parts, with ghost cells
+  for bin in "" -bin; do
+    # shellcheck disable=SC2086
+    ./build/release/meshgen -2 geo/square.geo -clscale 4 -part 3 -part_ghosts -v 0 $bin -format $f -o "$folder/seeds/x" || continue
+    { printf '\0'; cat "$folder/seeds/x"; } >"$folder/corpus-mesh/seed_parts_$f$bin"
+  done
+done
 status=0
 for name in script mesh; do
   $compile -o "$folder/fuzz_$name" "$here/fuzz_$name.c" $libs
