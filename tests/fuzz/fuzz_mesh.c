@@ -8,9 +8,20 @@
 #include "mesh/mesh_check.h"
 #include "mesh/mesh_hash.h"
 #include "mesh/mesh_stats.h"
+#include "mesh/part_entities.h"
+#include "mesh/partition_stats.h"
 #include "out/formats.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+// What reports and files say of the parts.
+static void use_parts(const Mesh *m)
+{
+  PartitionStats s;
+  partition_stats_make(&s, m);
+  partition_stats_free(&s);
+  mesh_free(mesh_part_entities(m, &(PartEntityOptions){.topology = true, .groups = true}));
+}
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
@@ -28,6 +39,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     mesh_check(m, false, &r);
     mesh_stats_make(&s, m, NULL);
     mesh_hash(m, true);
+    if (m->nparts) use_parts(m);
     mesh_stats_free(&s);
     mesh_report_free(&r);
   }
