@@ -59,8 +59,12 @@ static void resize(void *data, size_t old, size_t n, size_t size)
   if (p) memcpy(q, p, MIN(old, n) * size);
   free(p);
 #else
-  (void)old;
-  void *q = p ? mem_realloc(p, n * size) : mem_alloc_large(n * size);
+  bool anew = old < n / 2; // so much larger that copying is little, and a block of its own better
+  void *q = p && !anew ? mem_realloc(p, n * size) : mem_alloc_large(n * size);
+  if (p && anew) {
+    memcpy(q, p, old * size);
+    free(p);
+  }
 #endif
   memcpy(data, &q, sizeof q);
 }

@@ -42,6 +42,40 @@ static void carry_from_boundary(Refiner *r)
   free(count);
 }
 
+// Triangles of the wanted sizes at the vertices of the empty mesh, as far as these tell.
+static double expected_triangles(const Refiner *r)
+{
+  const Tri *m = r->m;
+  double sum = 0;
+  for (TriId t = 0; t < m->nt; t++) {
+    if (!tri_is_inside(m, t)) continue;
+    const uint32_t *v = m->vert + 3 * (size_t)t;
+    const double *a = tri_xy(m, v[0]), *b = tri_xy(m, v[1]), *c = tri_xy(m, v[2]);
+    double h = (r->size[v[0]] + r->size[v[1]] + r->size[v[2]]) / 3;
+    sum += fabs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / (sqrt(3) / 2 * h * h);
+  }
+  return sum;
+}
+
+// As many sizes as the triangulation has room for vertices.
+static void sizes_for_vertices(Refiner *r)
+{
+  if (r->cap_v >= r->m->cap_v) return;
+  r->cap_v = r->m->cap_v;
+  r->size = mem_realloc(r->size, (size_t)r->cap_v * sizeof *r->size);
+  if (r->carried) r->carried = mem_realloc(r->carried, (size_t)r->cap_v * sizeof *r->carried);
+}
+
+// Room for what is expected, so that growing arrays need not be copied; only what is used of it costs memory.
+static void reserve(Refiner *r)
+{
+  enum { WORTH = 1 << 14 };
+  double n = 1.05 * fmin(expected_triangles(r), 2 * (double)r->max_vertices);
+  if (!(n > WORTH && n < UINT32_MAX / 4)) return;
+  tri_reserve(r->m, r->m->nv + (size_t)n / 2, r->m->nt + (size_t)n);
+  sizes_for_vertices(r);
+}
+
 static void initial_sizes(Refiner *r)
 {
   const Tri *m = r->m;
@@ -139,10 +173,7 @@ static void more_vertices(Refiner *r)
 {
   Tri *m = r->m;
   if (m->nv + 1 > m->cap_v) tri_reserve(m, (size_t)m->nv + m->nv / 2 + 64, m->cap_t);
-  if (r->cap_v >= m->cap_v) return;
-  r->cap_v = m->cap_v;
-  r->size = mem_realloc(r->size, (size_t)r->cap_v * sizeof *r->size);
-  if (r->carried) r->carried = mem_realloc(r->carried, (size_t)r->cap_v * sizeof *r->carried);
+  sizes_for_vertices(r);
 }
 
 static TriId fresh_triangle(Tri *m)
@@ -281,6 +312,7 @@ static PolishedMesh attempt(Refiner *r, VertId given, double scale, bool strict)
     }
     r->p = &scaled;
   }
+  if (p->algorithm != REFINE_EMPTY) reserve(r);
   place_vertices(r, given);
   r->p = p;
   memcpy(r->size, wanted, given * sizeof *wanted);

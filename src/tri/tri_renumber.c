@@ -4,14 +4,15 @@
 #include "geom/hilbert.h"
 #include "tri/refine_int.h"
 
-// Entries first .. end-1 of x become those of order[first .. end-1], out of n.
-static void permute_doubles(double *x, const uint32_t *order, VertId first, VertId n, VertId end, size_t width)
+// Entries first .. end-1 of *x become those of order[first .. end-1], in memory of cap entries that takes the place of *x.
+static void permute_doubles(double **x, const uint32_t *order, VertId first, VertId end, size_t cap, size_t width)
 {
-  double *old = mem_alloc((n - first) * width * sizeof *old);
-  memcpy(old, x + width * first, (n - first) * width * sizeof *old);
+  double *to = mem_alloc_large(cap * width * sizeof *to), *from = *x;
+  memcpy(to, from, width * first * sizeof *to);
   for (VertId k = first; k < end; k++)
-    for (size_t i = 0; i < width; i++) x[width * k + i] = old[width * (order[k] - first) + i];
-  free(old);
+    for (size_t i = 0; i < width; i++) to[width * k + i] = from[width * order[k] + i];
+  *x = to;
+  free(from);
 }
 
 // place[t]: where triangle t goes: by the least rank of its vertices, triangles of equal rank as they stand; what is not
@@ -30,27 +31,36 @@ static uint32_t *place_triangles(const Tri *m, const uint32_t *rank)
   return key;
 }
 
-static void permute_u32(uint32_t *x, const uint32_t *place, TriId nt, size_t width)
+// Half-edges of *x go with their triangles to *spare, which changes places with it.
+static void permute_edges(uint32_t **x, uint32_t **spare, const uint32_t *place, TriId nt)
 {
-  uint32_t *old = mem_alloc((size_t)nt * width * sizeof *old);
-  memcpy(old, x, (size_t)nt * width * sizeof *old);
-  for (TriId t = 0; t < nt; t++)
-    for (size_t i = 0; i < width; i++) x[width * place[t] + i] = old[width * t + i];
-  free(old);
+  uint32_t *from = *x, *to = *spare;
+  for (TriId t = 0; t < nt; t++) memcpy(to + 3 * (size_t)place[t], from + 3 * (size_t)t, 3 * sizeof *to);
+  *x = to, *spare = from;
 }
 
-static void move_triangles(Tri *m, const uint32_t *place)
+// Triangle t goes to place[t], vertex v gets the number rank[v].
+static void move_triangles(Tri *m, const uint32_t *place, const uint32_t *rank)
 {
-  for (EdgeId e = 0; e < 3 * m->nt; e++)
-    if (!tri_is_free(m, tri_of(e)) && m->twin[e] != NONE) m->twin[e] = 3 * place[tri_of(m->twin[e])] + m->twin[e] % 3;
-  permute_u32(m->vert, place, m->nt, 3);
-  permute_u32(m->twin, place, m->nt, 3);
-  if (m->seg) permute_u32(m->seg, place, m->nt, 3);
-  if (m->region) permute_u32(m->region, place, m->nt, 1);
-  uint8_t *flag = mem_alloc(m->nt);
-  memcpy(flag, m->flag, m->nt);
+  for (TriId t = 0; t < m->nt; t++) {
+    if (tri_is_free(m, t)) continue;
+    for (EdgeId e = 3 * t; e < 3 * t + 3; e++) {
+      TriId over = tri_of(m->twin[e]);
+      if (m->twin[e] != NONE) m->twin[e] = 3 * place[over] + (m->twin[e] - 3 * over);
+      if (m->vert[e] < TRI_MAX_VERTICES) m->vert[e] = rank[m->vert[e]];
+    }
+  }
+  uint32_t *spare = mem_alloc_large(3 * (size_t)m->cap_t * sizeof *spare);
+  permute_edges(&m->vert, &spare, place, m->nt);
+  permute_edges(&m->twin, &spare, place, m->nt);
+  if (m->seg) permute_edges(&m->seg, &spare, place, m->nt);
+  if (m->region) {
+    memcpy(spare, m->region, m->nt * sizeof *spare);
+    for (TriId t = 0; t < m->nt; t++) m->region[place[t]] = spare[t];
+  }
+  uint8_t *flag = memcpy(spare, m->flag, m->nt);
   for (TriId t = 0; t < m->nt; t++) m->flag[place[t]] = flag[t];
-  free(flag);
+  free(spare);
   // The free list, in the order of the slots.
   m->free_list = NONE, m->nfree = 0;
   for (TriId t = m->nt; t-- > 0;)
@@ -65,8 +75,6 @@ void refine__renumber(Refiner *r, VertId first)
   hilbert_order(m->xy, m->nv, curve);
   for (VertId k = 0; k < m->nv; k++) rank[curve[k]] = k;
   uint32_t *place = place_triangles(m, rank);
-  move_triangles(m, place);
-  free(place);
   // The first vertices keep their numbers; the others follow along the curve, those in use.
   uint32_t *order = mem_alloc(m->nv * sizeof *order);
   memset(rank, 0, m->nv * sizeof *rank);
@@ -78,11 +86,11 @@ void refine__renumber(Refiner *r, VertId first)
     if (v < first) rank[v] = v;
     else if (rank[v]) order[next] = v, rank[v] = next++;
   }
-  for (EdgeId e = 0; e < 3 * m->nt; e++)
-    if (m->vert[e] < TRI_MAX_VERTICES && !tri_is_free(m, tri_of(e))) m->vert[e] = rank[m->vert[e]];
-  permute_doubles(m->xy, order, first, m->nv, next, 2);
-  permute_doubles(r->size, order, first, m->nv, next, 1);
-  if (r->carried) permute_doubles(r->carried, order, first, m->nv, next, 1);
+  move_triangles(m, place, rank);
+  free(place);
+  permute_doubles(&m->xy, order, first, next, m->cap_v, 2);
+  permute_doubles(&r->size, order, first, next, r->cap_v, 1);
+  if (r->carried) permute_doubles(&r->carried, order, first, next, r->cap_v, 1);
   m->nv = next;
   free(m->hint);
   m->hint = NULL;

@@ -1,4 +1,5 @@
 # mesh.mk - benches of refinement
+$(B)/bench/bench_refine: LDFLAGS += -lcairo
 $(B)/bench/%: tests/bench/%.c $(LIB)
 	@mkdir -p $(@D)
 	@echo "CC   $<"
