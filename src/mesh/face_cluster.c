@@ -179,7 +179,7 @@ static ClusterOutcome refine(FaceCluster *p)
 {
   const Options *o = p->in->options;
   SizeEval *eval = size_eval_new(p->in->size);
-  SizeInPlane here = {eval, p->frame};
+  SizeInPlane here = {eval, p->frame, 0};
   TriRefineParams r = mesh2d_refine_params(o, p->frame, &here);
   r.min_angle = o->Mesh_MinimumAngle;
   r.conforming = o->Mesh_ConformingDelaunay;

@@ -156,7 +156,7 @@ static bool try_plane_face(const Driver *d, size_t k, SizeEval *eval, Attempt *a
   Tri t;
   tri_init(&t);
   if (face_graph_mesh(&g, d->in->model, f, &t, diag)) {
-    SizeInPlane here = {eval, f};
+    SizeInPlane here = {eval, f, 0};
     TriRefineParams p = mesh2d_refine_params(d->in->options, f, &here);
     if (attempt->adapt) p.algorithm = REFINE_ADAPT;
     if (map.filling) {

@@ -222,7 +222,7 @@ static void estimate_one(void *ctx, size_t k, int worker)
   static const FaceVisitor visitor = {add_curve, add_point};
   Outline o = {.in = in, .face = f, .lo = {INFINITY, INFINITY}, .hi = {-INFINITY, -INFINITY}};
   face_graph_visit(in->model, f, &visitor, &o);
-  SizeInPlane size = {d->eval[worker], f};
+  SizeInPlane size = {d->eval[worker], f, 0};
   bool extend = mesh2d_refine_params(in->options, f, &size).extend_from_boundary;
   double limit = in->options->Mesh_MaxElements / (100 * (double)model_faces(in->model));
   if (o.edge.len && !is_small(&o, in->size, extend, limit, e)) {

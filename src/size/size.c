@@ -370,7 +370,10 @@ void size_limit_growth(SizeField *s, const Vec3 *p, const double *h, size_t n)
 double size_in_plane(void *ctx, Vec2 p)
 {
   SizeInPlane *in = ctx;
-  return size_in_face(in->eval, in->face, face_from_plane(in->face, p)) * face_plane_scale(in->face, p);
+  if (in->constant > 0) return in->constant;
+  double h = size_in_face(in->eval, in->face, face_from_plane(in->face, p)) * face_plane_scale(in->face, p), same;
+  if (in->constant == 0) in->constant = size_is_constant(in->eval->s, in->face, &same) ? h : -1;
+  return h;
 }
 
 void size_in_plane_batch(void *ctx, const Vec2 *p, size_t n, double *h)

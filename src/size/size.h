@@ -46,6 +46,7 @@ bool size_is_constant(const SizeField *s, const Face *f, double *h);
 typedef struct {
   SizeEval *eval;
   const Face *face;
+  double constant; // 0 before the first call; then the size there if it is the same all over the face, else -1
 } SizeInPlane;
 double size_in_plane(void *ctx, Vec2 p); // ctx: a SizeInPlane
 void size_in_plane_batch(void *ctx, const Vec2 *p, size_t n, double *h);

@@ -22,6 +22,7 @@ enum { NKEYS = 704, HEAD_START = 64 }; // 16 keys to the octave of the squared s
 typedef struct {
   Refiner *r;
   int top; // no stack above this one has entries
+  DoubleVec excess; // of the triangles just made
   Vec(FrontEdge) stack[NKEYS];
 } Front;
 
@@ -35,9 +36,9 @@ static double excess2(const Refiner *r, TriId t)
   return 3 * r2 / (LIMIT * LIMIT * h * h);
 }
 
-static bool is_small(const Refiner *r, TriId t)
+// Is t, whose excess2 is x, small?
+static bool is_small(const Refiner *r, TriId t, double x)
 {
-  double x = excess2(r, t);
   if (x > 1 || !r->p->size) return x <= 1;
   // Small by the sizes at its corners: ask inside, lest a dip of the field be missed.
   const uint32_t *v = r->m->vert + 3 * (size_t)t;
@@ -45,11 +46,12 @@ static bool is_small(const Refiner *r, TriId t)
   return x * h * h <= g * g;
 }
 
-static void push(Front *f, EdgeId e)
+// e is a front edge, of a triangle whose excess2 is x.
+static void push(Front *f, EdgeId e, double x)
 {
   const Tri *m = f->r->m;
   FrontEdge edge = {e, tri_org(m, e), tri_dest(m, e)};
-  int k = refine__key(excess2(f->r, tri_of(e)), 19, NKEYS - HEAD_START);
+  int k = refine__key(x, 19, NKEYS - HEAD_START);
   if (tri_is_segment(m, e)) k += HEAD_START;
   vec_push(&f->stack[k], edge);
   if (k > f->top) f->top = k;
@@ -96,18 +98,22 @@ static void advance(Front *f)
 {
   Refiner *r = f->r;
   Tri *m = r->m;
+  vec_clear(&f->excess);
   for (size_t i = 0; i < r->rim.len; i++) {
     TriId t = r->rim.data[i].tri;
-    if (is_small(r, t)) m->flag[t] |= REFINE_SMALL;
+    double x = excess2(r, t);
+    if (is_small(r, t, x)) m->flag[t] |= REFINE_SMALL;
+    vec_push(&f->excess, x);
   }
   for (size_t i = 0; i < r->rim.len; i++) {
     RimSide *s = &r->rim.data[i];
     if (m->flag[s->tri] & REFINE_SMALL) {
-      if (!s->is_seg && !(m->flag[tri_of(s->outer)] & REFINE_SMALL)) push(f, s->outer);
+      TriId over = tri_of(s->outer);
+      if (!s->is_seg && !(m->flag[over] & REFINE_SMALL)) push(f, s->outer, excess2(r, over));
       continue;
     }
     for (EdgeId e = 3 * s->tri; e < 3 * s->tri + 3; e++)
-      if (tri_is_segment(m, e) || m->flag[tri_of(m->twin[e])] & REFINE_SMALL) push(f, e);
+      if (tri_is_segment(m, e) || m->flag[tri_of(m->twin[e])] & REFINE_SMALL) push(f, e, f->excess.data[i]);
   }
 }
 
@@ -116,11 +122,11 @@ static void start(Front *f)
   Refiner *r = f->r;
   Tri *m = r->m;
   for (TriId t = 0; t < m->nt; t++)
-    if (tri_is_inside(m, t) && is_small(r, t)) m->flag[t] |= REFINE_SMALL;
+    if (tri_is_inside(m, t) && is_small(r, t, excess2(r, t))) m->flag[t] |= REFINE_SMALL;
   for (EdgeId e = 3 * m->nt; e-- > 0;) { // stacks: so the first edges come first
     TriId t = tri_of(e);
     if (!tri_is_inside(m, t) || m->flag[t] & REFINE_SMALL) continue;
-    if (tri_is_segment(m, e) || m->flag[tri_of(m->twin[e])] & REFINE_SMALL) push(f, e);
+    if (tri_is_segment(m, e) || m->flag[tri_of(m->twin[e])] & REFINE_SMALL) push(f, e, excess2(r, t));
   }
 }
 
@@ -140,6 +146,7 @@ void refine__frontal(Refiner *r)
     advance(&f);
   }
   for (int k = 0; k < NKEYS; k++) vec_free(&f.stack[k]);
+  vec_free(&f.excess);
   // What no front reached: obtuse corners, gaps between fronts.
   refine__delaunay(r, REFINE_LIMIT_SIZE);
 }
