@@ -356,6 +356,31 @@ static void do_switch(Walk *w, const char *sw)
   set_option(w, row, v);
 }
 
+static bool is_switch(const char *name)
+{
+  for (size_t i = 0; i < CMD_COUNT; i++)
+    if (commands[i].help[0] && str_has_word(commands[i].names, name)) return true;
+  return options_find_switch(name) != NULL;
+}
+
+// A word that is neither a file nor looks like one: a switch without its dash, or an argument of one that takes none, as the 2 of
+// -optimize 2. What looks like a file is an input, and is missed when it is read.
+static void take_input(Walk *w, const char *word)
+{
+  const char *before = w->argv[w->at - 1];
+  double number;
+  if (!*word)
+    usage_error(w, "an empty word is no input file", "", "");
+  else if (strpbrk(word, "./") || access(word, F_OK) == 0)
+    vec_push(&w->c->inputs, word);
+  else if (w->at > 1 && before[0] == '-' && before[1] && *number_read(word, word + strlen(word), &number) == 0)
+    usage_error(w, "% takes no number, and there is no file '%'", before, word);
+  else if (is_switch(word))
+    usage_error(w, "there is no file '%'; did you mean -%?", word, word);
+  else
+    vec_push(&w->c->inputs, word);
+}
+
 ExitCode cli_parse(Cli *c, int argc, char **argv, Diag *diag)
 {
   *c = (Cli){.action = CMD_MESH2, .report = true, .color = 2};
@@ -364,8 +389,10 @@ ExitCode cli_parse(Cli *c, int argc, char **argv, Diag *diag)
   bool words_only = false;
   for (; w.at < argc && w.status != EXIT_USAGE; w.at++) {
     const char *word = argv[w.at];
-    if (words_only || word[0] != '-' || word[1] == 0)
+    if (words_only || strcmp(word, "-") == 0)
       vec_push(&c->inputs, word);
+    else if (word[0] != '-')
+      take_input(&w, word);
     else if (strcmp(word, "--") == 0)
       words_only = true;
     else

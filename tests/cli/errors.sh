@@ -104,3 +104,18 @@ printf '%s\n' "$square" 'Field[1]=MathEval; Field[1].F="0.01+0.1/x"; Background 
 exits 0 "a division by zero" "$MESHGEN" -2 many.geo -o x.msh
 says "many.geo:3:29: warning: field 1 (MathEval) F is infinite at (0, " "division by zero: field, option, line, place"
 check "division by zero: one warning" test "$(grep -c warning: err.txt)" = 1
+
+# Words that are no files, but switches without their dash or arguments of switches that take none.
+cp "$ROOT/geo/square.geo" good.geo
+exits 2 "help without a dash" "$MESHGEN" help
+says "there is no file 'help'; did you mean -help?" "the switch is named"
+exits 2 "a level after -optimize" "$MESHGEN" -2 good.geo -optimize 2 -o none.msh
+says "-optimize takes no number, and there is no file '2'" "both readings are named"
+absent "nothing is written" none.msh
+exits 2 "2 without a dash" "$MESHGEN" 2 good.geo
+says "did you mean -2?" "-2 is named"
+exits 2 "an empty word" "$MESHGEN" -2 ""
+says "an empty word is no input file" "it is said"
+exits 3 "a file of such a name is missed as a file after --" "$MESHGEN" -2 -- help
+cp good.geo 2
+exits 0 "a file of such a name is read" "$MESHGEN" -2 -v 1 -no_report -optimize 2 -o y.msh
