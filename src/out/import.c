@@ -510,12 +510,15 @@ static void make_blocks(Import *im)
 static void classify_nodes(Import *im)
 {
   Mesh *m = im->mesh;
+  bool told = true; // of all nodes, as in MSH 4
   for (size_t i = 0; i < im->owner.len; i++) {
     const ImportOwner *o = &im->owner.data[i];
     uint32_t e = o->dim < 0 ? NONE : mesh_find_entity(m, o->dim, o->entity);
     size_t end = i + 1 < im->owner.len ? im->owner.data[i + 1].first : m->nnode;
     for (size_t k = o->first; k < end; k++) m->node_entity[k] = e;
+    told = told && e != NONE;
   }
+  if (told) return;
   for (size_t b = 0; b < m->nblock; b++) {
     const MeshBlock *k = &m->block[b];
     size_t n = k->n * (size_t)elem_nodes(k->type);

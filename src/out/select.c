@@ -4,15 +4,12 @@
 
 #include "out/out_int.h"
 
-// Nodes of saved elements, and of saved entities if orphans are kept, marked 0; the others NONE.
+// Nodes of saved elements marked 0, the others NONE. Orphans are kept only where all entities are saved: then it is all nodes.
 static void mark_nodes(Selection *s, bool keep_orphans)
 {
   const Mesh *m = s->mesh;
-  memset(s->number, 0xff, m->nnode * sizeof *s->number);
-  if (keep_orphans)
-    for (size_t i = 0; i < m->nnode; i++)
-      if (s->entity[m->node_entity[i]]) s->number[i] = 0;
-  for (size_t b = 0; b < s->nblock; b++) {
+  memset(s->number, keep_orphans ? 0 : 0xff, m->nnode * sizeof *s->number);
+  for (size_t b = 0; !keep_orphans && b < s->nblock; b++) {
     const MeshBlock *k = &m->block[s->block[b]];
     size_t n = k->n * (size_t)elem_nodes(k->type);
     for (size_t i = 0; i < n; i++) s->number[k->node[i]] = 0;
