@@ -66,18 +66,17 @@ void model__replace_curve(Model *m, int tag, const IntVec *part)
 
 static bool is_closed(const Curve *c) { return c->npoint > 2 && c->point[0] == c->point[c->npoint - 1]; }
 
-// Where to cut, ascending. The ends of an open curve are no cuts; the end of a closed one is.
-static bool cuts_of(Model *m, const Curve *c, const int *point, size_t n, IntVec *at, SrcLoc loc, Diag *diag)
+// Where to cut, ascending. The ends of an open curve are no cuts; the end of a closed one is. Points that are not on the curve are
+// passed over.
+static void cuts_of(const Curve *c, const int *point, size_t n, IntVec *at, SrcLoc loc, Diag *diag)
 {
   for (size_t i = 0; i < n; i++) {
     int k = -1;
     for (int j = 0; j < c->npoint; j++)
       if (c->point[j] == point[i]) k = j;
     if (k < 0) {
-      diag_error(diag, loc, model_point(m, point[i]) ? "cannot split curve %d at point %d, which is none of its control points"
-                                                     : "cannot split curve %d at point %d, which does not exist",
-                 c->tag, point[i]);
-      return false;
+      diag_warning(diag, loc, "cannot split curve %d at point %d, which is none of its control points", c->tag, point[i]);
+      continue;
     }
     if (!is_closed(c) && (k == 0 || k == c->npoint - 1)) continue;
     size_t pos = 0;
@@ -87,7 +86,6 @@ static bool cuts_of(Model *m, const Curve *c, const int *point, size_t n, IntVec
     memmove(at->data + pos + 1, at->data + pos, (at->len - 1 - pos) * sizeof(int));
     at->data[pos] = k;
   }
-  return true;
 }
 
 // The curve through control points `from` to `to`; beyond the last, round again.
@@ -115,24 +113,22 @@ bool model_split_curve(Model *m, int tag, const int *point, size_t n, IntVec *ou
     return false;
   }
   IntVec at = {0}, part = {0};
-  bool good = cuts_of(m, c, point, n, &at, loc, diag);
-  if (good && at.len) {
-    bool closed = is_closed(c);
-    IntVec run = {0};
-    if (!closed) {
-      vec_push(&at, c->npoint - 1);
-      put_part(m, c, 0, at.data[0], &run, &part, loc);
-    }
-    for (size_t i = 0; i + 1 < at.len; i++) put_part(m, c, at.data[i], at.data[i + 1], &run, &part, loc);
-    if (closed) put_part(m, c, vec_last(&at), at.data[0] + c->npoint - 1, &run, &part, loc);
-    vec_free(&run);
-    model__replace_curve(m, tag, &part);
-    curve__drop(m, tag);
-    for (size_t i = 0; i < part.len; i++) vec_push(out, part.data[i]);
+  cuts_of(c, point, n, &at, loc, diag);
+  bool closed = is_closed(c) && at.len; // a closed curve without a cut stays as it is, with a new number
+  IntVec run = {0};
+  if (!closed) {
+    vec_push(&at, c->npoint - 1);
+    put_part(m, c, 0, at.data[0], &run, &part, loc);
   }
+  for (size_t i = 0; i + 1 < at.len; i++) put_part(m, c, at.data[i], at.data[i + 1], &run, &part, loc);
+  if (closed) put_part(m, c, vec_last(&at), at.data[0] + c->npoint - 1, &run, &part, loc);
+  model__replace_curve(m, tag, &part);
+  curve__drop(m, tag);
+  for (size_t i = 0; i < part.len; i++) vec_push(out, part.data[i]);
+  vec_free(&run);
   vec_free(&at);
   vec_free(&part);
-  return good;
+  return true;
 }
 
 // ---- anywhere -----------------------------------------------------------------------------------------------------------

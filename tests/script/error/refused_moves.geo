@@ -12,7 +12,7 @@ Extrude {0,0,1} { Volume{1}; }                           // expect error: cannot
 Extrude {0,0,1} { Line{77}; }                            // expect warning: Extrude: there is no curve 77
 Translate {1,0,0} { Line{77}; }                          // expect error: cannot transform curve 77: it does not exist
 Translate {1e300*1e300,0,0} { Line{1}; }                 // expect error: this transformation has no finite coefficients (an axis or a normal of length 0?)
-Split Curve {3} Point {4};                               // expect error: cannot split curve 3 at point 4, which is none of its control points
+Split Curve {3} Point {4};                               // expect warning: cannot split curve 3 at point 4, which is none of its control points
 Split Curve {77} Point {2};                              // expect error: cannot split curve 77: it does not exist
 Split Curve {4} Point {2};                               // expect error: cannot split curve 4: only lines, splines and B-splines can be split
 Periodic Curve {1} = {1};                                // expect error: curve 1 cannot be periodic with itself
