@@ -156,8 +156,8 @@ bool model_set_periodic_curves(Model *m, const int *slave, const int *master, si
     Curve *c = member(&l, slave[i]);
     if (!c || !member(&l, master[i])) continue;
     if (tag__abs(slave[i]) == tag__abs(master[i])) {
-      diag_error(diag, loc, "curve %d cannot be periodic with itself", c->tag);
-      return false;
+      if (!affine) diag_warning(diag, loc, "curve %d cannot be periodic with itself: it is left as it is", c->tag);
+      continue; // on the axis of a rotation, say
     }
     if (!c->periodic_master) m->nperiodic++;
     c->periodic_master = slave[i] < 0 ? -master[i] : master[i];

@@ -15,7 +15,7 @@ Translate {1e300*1e300,0,0} { Line{1}; }                 // expect error: this t
 Split Curve {3} Point {4};                               // expect warning: cannot split curve 3 at point 4, which is none of its control points
 Split Curve {77} Point {2};                              // expect error: cannot split curve 77: it does not exist
 Split Curve {4} Point {2};                               // expect error: cannot split curve 4: only lines, splines and B-splines can be split
-Periodic Curve {1} = {1};                                // expect error: curve 1 cannot be periodic with itself
+Periodic Curve {1} = {1};                                // expect warning: curve 1 cannot be periodic with itself
 Point{1} In Surface{9};                                  // expect error: cannot embed in surface 9: it does not exist
 Line Loop(1) = {1}; 
 Point(11) = {5,5,0}; Point(12) = {6,5,0}; Point(13) = {6,6,0}; Line(11) = {11,12}; Line(12) = {12,13}; Line(13) = {13,11}; Line Loop(2) = {11:13}; Plane Surface(2) = {2};
