@@ -61,8 +61,10 @@ static bool take(Boolean *b, const Shape *shape, size_t n, bool tool, bool drop,
     } else if (s->dim == 1 && b->op == BOOLEAN_FRAGMENTS) {
       if (!take_curve(b, s->tag)) return false;
       vec_push(&b->cutter, ((Cutter){tag__abs(s->tag), drop}));
+    } else if (s->dim == 0 && b->op == BOOLEAN_FRAGMENTS) {
+      vec_push(&b->point, tag__abs(s->tag));
     } else {
-      diag_error(b->diag, b->loc, "%s works on plane surfaces here (BooleanFragments on curves too), not on %s %d", word,
+      diag_error(b->diag, b->loc, "%s works on plane surfaces here (BooleanFragments on curves and points too), not on %s %d", word,
                  dim__name(s->dim), s->tag);
       return false;
     }
@@ -342,6 +344,7 @@ static void boolean_free(Boolean *b)
   vec_free(&b->bounds);
   vec_free(&b->input);
   vec_free(&b->cutter);
+  vec_free(&b->point);
   for (size_t k = 0; k < b->listing.len; k++) {
     vec_free(&b->listing.data[k].run);
     vec_free(&b->listing.data[k].wire);
@@ -377,6 +380,72 @@ static bool compute(Boolean *b, const char *word)
   return true;
 }
 
+// ---- points among the shapes of fragments ---------------------------------------------------------------------------------
+enum { SAMPLES = 64 }; // of a bent curve: a point nearer to it than these tell is the mesher's to see
+
+static bool crosses_ray(Vec2 p, Vec2 a, Vec2 b)
+{
+  return (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x);
+}
+
+typedef enum { POINT_OUTSIDE, POINT_IN_FACE, POINT_AT_CORNER } PointPlace;
+
+// Where a point of its plane is: inside or on the boundary of the face, by crossings of that with a ray; or at the end of a curve.
+static PointPlace place_of(const Boolean *b, const Face *f, Vec3 p)
+{
+  Model *m = b->m;
+  Vec2 q = face_to_plane(f, p);
+  IntVec curve = {0}, start = {0};
+  bool inside = false, on = false, corner = false;
+  face_boundary(m, f, &curve, &start);
+  for (size_t i = 0; i < curve.len && !corner; i++) {
+    const Curve *c = model_curve(m, curve.data[i]);
+    corner = vec3_distance(curve_point(m, c, 0), p) <= b->tol || vec3_distance(curve_point(m, c, 1), p) <= b->tol;
+    on |= vec3_distance(curve_point(m, c, curve_nearest(m, c, p)), p) <= b->tol;
+    int n = curve_is_straight(m, c) ? 1 : SAMPLES;
+    for (int k = 0; k < n; k++)
+      inside ^= crosses_ray(q, face_to_plane(f, curve_point(m, c, k / (double)n)), face_to_plane(f, curve_point(m, c, (k + 1) / (double)n)));
+  }
+  vec_free(&curve);
+  vec_free(&start);
+  return corner ? POINT_AT_CORNER : inside || on ? POINT_IN_FACE : POINT_OUTSIDE;
+}
+
+static bool build(Boolean *b, Face *f)
+{
+  IntVec curve = {0}, start = {0};
+  face_boundary(b->m, f, &curve, &start);
+  bool good = true;
+  for (size_t i = 0; i < curve.len; i++) good = good && curve__build(b->m, model_curve(b->m, curve.data[i]), b->diag);
+  vec_free(&curve);
+  vec_free(&start);
+  return good && face__build(b->m, f, b->m->set.tolerance, b->diag);
+}
+
+// Points in faces of the result are embedded there; all are part of what is returned.
+static void embed_points(Boolean *b, ShapeVec *out, size_t first)
+{
+  size_t n = out->len;
+  if (!b->point.len) return;
+  for (size_t k = first; k < n; k++)
+    if (out->data[k].dim == 2 && !build(b, model_face(b->m, out->data[k].tag))) return;
+  for (size_t i = 0; i < b->point.len; i++) {
+    int tag = b->point.data[i];
+    Vec3 p = point__get(b->m, tag)->xyz;
+    for (size_t k = first; k < n; k++) {
+      Face *f = out->data[k].dim == 2 ? model_face(b->m, out->data[k].tag) : NULL;
+      if (!f || vec3_distance(face_from_plane(f, face_to_plane(f, p)), p) > b->tol) continue;
+      PointPlace place = place_of(b, f, p);
+      if (place == POINT_OUTSIDE) continue;
+      if (place == POINT_AT_CORNER) break; // it is there already
+      if (!f->embedded_points.len && !f->embedded_curves.len) b->m->nembedded++;
+      vec_push(&f->embedded_points, tag);
+      break;
+    }
+    vec_push(out, ((Shape){0, tag}));
+  }
+}
+
 bool model_boolean(Model *m, BooleanOp op, const BooleanSide *object, const BooleanSide *tool, int tag, ShapeVec *out, SrcLoc loc,
                    Diag *diag)
 {
@@ -389,7 +458,9 @@ bool model_boolean(Model *m, BooleanOp op, const BooleanSide *object, const Bool
     diag_error(diag, loc, "%s needs surfaces", words[op]);
     good = false;
   }
+  size_t first = out->len;
   good = good && compute(&b, words[op]) && boolean__apply(&b, tag, out);
+  if (good) embed_points(&b, out, first);
   boolean_free(&b);
   return good;
 }

@@ -46,6 +46,7 @@ typedef struct {
   Arena arena;
   Vec(BooleanInput) input;
   Vec(Cutter) cutter;    // curves among the shapes
+  IntVec point;          // points among the shapes
   Map index;             // curve tag -> rank in source
   IntVec source;         // tags of all curves
   Vec(U32Vec) bounds;    // per source: ranks of the inputs it bounds, once for each time

@@ -141,3 +141,16 @@ Line(5) = {1, 2}; Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) 
 Curve Loop(1) = {5, 2, 3, 4}; Plane Surface(1) = {1};
 G
 exits 0 "a side defined three times, of one edge each" "$MESHGEN" -2 doubled.geo -o doubled.msh
+
+# ---- points among the shapes of fragments ----
+cat >fragments.geo <<'G'
+SetFactory("OpenCASCADE");
+Rectangle(1) = {0, 0, 0, 2, 1}; Disk(2) = {1, .5, 0, .3};
+Point(20) = {.2, .2, 0}; Point(21) = {1, .5, 0}; Point(22) = {9, 9, 0}; Point(23) = {.5, 0, 0}; Point(24) = {0, 0, 0}; Point(25) = {1 + .3*Cos(1), .5 + .3*Sin(1), 0};
+BooleanFragments{ Surface{1}; Delete; }{ Surface{2}; Point{20:25}; Delete; }
+Physical Point(1) = {20, 21, 23, 25}; Physical Surface(1) = Surface{:}; MeshSize{:} = .2;
+G
+exits 0 "points in faces, on curves, at a corner and outside" "$MESHGEN" -2 fragments.geo -format msh2 -o fr.msh
+check "are in the mesh" "$MESHGEN" check fr.msh
+check "where they lie in faces" awk '/^\$Elements/ { on = 1 } on && $2 == 15 { p[$6] = 1 } on && $2 == 2 { for (i = 6; i <= 8; i++) if ($i in p) used[$i] = 1 }
+  END { for (i in used) n++; exit n != 4 }' fr.msh

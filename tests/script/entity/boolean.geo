@@ -38,7 +38,7 @@ b() = Boundary{ Surface{1}; }; Printf("%g", #b()); // expect: 4
 Point(50) = {-1, .5, 0}; Point(51) = {1, .5, 0}; Line(50) = {50, 51};
 o() = BooleanFragments{ Surface{1}; Delete; }{ Curve{50}; Delete; }; Printf("%g", #o()); // expect: 3
 BooleanUnion{ Surface{1}; }{ Surface{99}; }      // expect error: BooleanUnion of surface 99, which does not exist
-BooleanUnion{ Surface{1}; }{ Curve{1}; }         // expect error: works on plane surfaces here (BooleanFragments on curves too), not on curve 1
+BooleanUnion{ Surface{1}; }{ Curve{1}; }         // expect error: works on plane surfaces here (BooleanFragments on curves and points too), not on curve 1
 BooleanFragments{ Curve{50}; }{ }                // expect error: curve 50, which does not exist
 Rectangle(60) = {0,0,5, 1,1};
 BooleanUnion{ Surface{1}; }{ Surface{60}; }      // expect error: all must be in one plane
