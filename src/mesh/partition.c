@@ -62,7 +62,7 @@ static void set_options(idx_t to[METIS_NOPTIONS], const CellGraph *g, bool kway,
 {
   METIS_SetDefaultOptions(to);
   to[METIS_OPTION_NUMBERING] = 0;
-  to[METIS_OPTION_SEED] = 1;
+  to[METIS_OPTION_SEED] = -1; // its own, which is fixed
   to[METIS_OPTION_CTYPE] = o->Mesh_MetisEdgeMatching == 1 ? METIS_CTYPE_RM : METIS_CTYPE_SHEM;
   to[METIS_OPTION_OBJTYPE] = o->Mesh_MetisObjective == 2 ? METIS_OBJTYPE_VOL : METIS_OBJTYPE_CUT;
   if (o->Mesh_MetisMaxLoadImbalance >= 0) to[METIS_OPTION_UFACTOR] = MAX(o->Mesh_MetisMaxLoadImbalance, 1);
