@@ -129,6 +129,8 @@ ExitCode parts__write(const Format *f, const Mesh *m, const char *path, const Ou
   bool msh2 = f->write == msh2__write, msh4 = f->write == msh4__write;
   if (!(flags & FORMAT_CELL_DATA) && o->element_tag != 3 && !o->part_split)
     diag_warning(d, NO_LOC, "%s: format %s has no room for the parts", path, format_name(f));
+  if (msh4 && o->part_split && o->cell_data)
+    diag_warning(d, NO_LOC, "%s: files of single parts get no measures of elements (-cell_data)", path);
   bool entities = msh4 || (msh2 && o->part_new_style) || (!msh2 && o->element_tag == 3);
   PartEntityOptions how = {.topology = (msh2 || msh4) && !o->no_part_topology,
                            .groups = (msh2 || msh4) && o->part_groups};

@@ -224,6 +224,8 @@ COMMANDS = [
     (1, "-3 is out of range for Mesh.NbPartitions: 0 to 1e+06", ["square.geo", "-part", "-3"]),
     (2, "-part_weight takes line, tri or quad and a number, not 'triangle'", ["square.geo", "-part_weight", "triangle", "1"]),
     (0, "x: format su2 has no room for the parts", ["square.geo", "-part", "2", "-o", "x.su2"]),
+    (0, "files of single parts get no measures of elements (-cell_data)",
+     ["square.geo", "-part", "2", "-part_split", "-cell_data", "gamma", "-o", "x.msh"]),
     (2, "one file per part (-part_split) needs a name for them, not standard output",
      ["square.geo", "-part", "2", "-part_split", "-o", "-"]),
     (0, "empty.geo: there is nothing to mesh: the mesh is empty", ["empty.geo", "-o", "x.msh"]),
