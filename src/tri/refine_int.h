@@ -64,6 +64,10 @@ typedef struct {
 } Refiner;
 
 // ---- tri_refine.c
+// Sizes of the vertices of the empty mesh; arrays that refine__release frees.
+void refine__initial_sizes(Refiner *r);
+// Room for the triangles that these let expect, so that growing arrays need not be copied; only what is used of it costs memory.
+void refine__reserve(Refiner *r);
 // Size wanted at p, which lies in (or near) triangle t; *carried gets the interpolated boundary size if that is in use.
 double refine__size_at(Refiner *r, const double *p, TriId t, double *carried);
 // What the size callback says in the middle of triangle t.
@@ -145,19 +149,20 @@ typedef struct {
 } RefineField;
 void refine__field_take(RefineField *f, const Refiner *r); // before the first insertion
 void refine__field_free(RefineField *f);
+// Sizes by the field at the vertices that are free to move.
+void refine__field_apply(RefineField *f, Refiner *r);
 double refine__field_at(RefineField *f, const double *p); // INFINITY where no size extends
+// The size wanted at p, of the boundary and of the callback; `otherwise` where none says.
+double refine__wanted(RefineField *f, const Refiner *r, const double *p, double otherwise);
 // Value at p of what is linear on triangle t, within the values at its corners.
 double refine__linear(const Tri *m, const double *at_vertex, TriId t, const double *p);
 
-// ---- tri_polish.c
+// ---- tri_attempt.c
 enum { REFINE_POLISHED = 3000 }; // slots for triangles of a face that is small
-typedef struct {
-  double cost;  // for choosing among several meshes of a face
-  double worst; // 1/kappa_4^2
-} PolishedMesh;
-// For small faces: vertices moved, edges flipped, collapsed and split by trial for the mean shape, the efficiency index and the
-// smallest angle of the whole, until nothing helps or `budget` positions of vertices have been measured (0.1 us each). Operations may
-// make triangles as bad as gamma 0.7; strict: none worse than r->worst either. Collapses leave isolated vertices.
-PolishedMesh refine__polish(Refiner *r, RefineField *field, bool strict, uint64_t budget);
+// The face meshed and optimized from the empty mesh that r has, whose vertices are `given`. If it is small, meshes of several scales are
+// compared and the best ones polished; none that is kept has a triangle worse than the worst that the first one began to optimize.
+void refine__make_mesh(Refiner *r, VertId given);
+// Everything but the mesh.
+void refine__release(Refiner *r);
 
 #endif

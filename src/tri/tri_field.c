@@ -35,3 +35,16 @@ double refine__field_at(RefineField *f, const double *p)
   if (!f->size || tri_locate(&f->empty, p, NONE, &e) == TRI_OUTSIDE) return INFINITY;
   return refine__linear(&f->empty, f->size, tri_of(e), p);
 }
+
+double refine__wanted(RefineField *f, const Refiner *r, const double *p, double otherwise)
+{
+  double h = refine__field_at(f, p);
+  if (r->p->size) h = fmin(h, r->p->size(r->p->size_ctx, (Vec2){p[0], p[1]}));
+  return isfinite(h) ? h : otherwise;
+}
+
+void refine__field_apply(RefineField *f, Refiner *r)
+{
+  for (VertId v = 0; v < r->m->nv; v++)
+    if (!r->fixed[v]) r->size[v] = refine__wanted(f, r, tri_xy(r->m, v), r->size[v]);
+}

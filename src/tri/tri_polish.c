@@ -11,6 +11,9 @@ enum { ROUNDS = 8, SWEEPS = 3 };
 #define LEAST_GAIN 0.003
 #define LEAST_PROGRESS 1e-4 // of the cost, in a round without operations
 #define HOPE 0.3            // after the first settling, a trial may cost this share more than what was there, or it is given up
+// What falls short of the reference: how its weight changes from round to round.
+#define HARDER 1.3
+#define SOFTER 0.9
 #define TOLERATED (1 / 0.7) // 1/kappa_4^2 that any triangle may have, if the mesh had one as bad
 
 // Cost of a star or a patch, largest 1/kappa_4^2, how far the worst edge is out of [2/3, 4/3].
@@ -18,26 +21,19 @@ typedef struct {
   double sum, worst, range;
 } Worth;
 
-static double wanted(Polish *q, const double *p, double otherwise)
-{
-  const TriRefineParams *params = q->r->p;
-  double h = refine__field_at(q->field, p);
-  if (params->size) h = fmin(h, params->size(params->size_ctx, (Vec2){p[0], p[1]}));
-  return isfinite(h) ? h : otherwise;
-}
-
-double polish__size(Polish *q, VertId v, const double *p) { return wanted(q, p, q->r->size[v]); }
+double polish__size(Polish *q, VertId v, const double *p) { return refine__wanted(q->field, q->r, p, q->r->size[v]); }
 
 // The means, and the weights that follow from them. Returns the cost.
 static double measure(Polish *q)
 {
   const Refiner *r = q->r;
   const Tri *m = r->m;
-  double shape = 0, length = 0, ntri = 0, nedge = 0;
+  double shape = 0, loss = 0, length = 0, ntri = 0, nedge = 0;
   for (TriId t = 0; t < m->nt; t++) {
     if (!tri_is_inside(m, t)) continue;
     const uint32_t *v = m->vert + 3 * (size_t)t;
-    shape += polish__shape(1 / metric_quality(tri_xy(m, v[0]), tri_xy(m, v[1]), tri_xy(m, v[2])));
+    double g = metric_quality(tri_xy(m, v[0]), tri_xy(m, v[1]), tri_xy(m, v[2]));
+    shape += polish__shape(q, 1 / g), loss += 1 - g;
     ntri++;
     for (EdgeId e = 3 * t; e < 3 * t + 3; e++) {
       double share = tri_is_segment(m, e) ? 1 : 0.5;
@@ -46,10 +42,20 @@ static double measure(Polish *q)
       nedge += share;
     }
   }
-  q->shape = shape / ntri, q->length = length / nedge;
-  q->weight = POLISH_LENGTHS * ntri / nedge;
+  q->shape = shape / ntri, q->loss = loss / ntri, q->length = length / nedge;
+  q->weight = q->more_length * POLISH_LENGTHS * ntri / nedge;
   q->lift = POLISH_ANGLE * ntri;
-  return q->shape + POLISH_LENGTHS * q->length;
+  return q->shape + q->more_length * POLISH_LENGTHS * q->length;
+}
+
+// A mean that falls short of the reference counts more from now on, one that does not less again. True if one falls short.
+static bool press(Polish *q)
+{
+  const PolishGoal *g = q->goal;
+  bool longer = q->length > g->reference.length + POLISH_SLACK, flatter = q->loss > 1 - g->reference.gamma + POLISH_SLACK;
+  q->more_length = longer ? q->more_length * HARDER : fmax(g->more_length, q->more_length * SOFTER);
+  q->more_gamma = flatter ? q->more_gamma * HARDER : fmax(g->more_gamma, q->more_gamma * SOFTER);
+  return longer || flatter;
 }
 
 // ---- vertices -------------------------------------------------------------------------------------------------------
@@ -57,14 +63,14 @@ static double measure(Polish *q)
 static Worth star_worth(Polish *q, const Star *s, double px, double py, double h)
 {
   Worth w = {0, 0, 1};
-  double inv = 0.5 / h, ux = s->x[0] - px, uy = s->y[0] - py, lu = sqrt(ux * ux + uy * uy);
+  double ux = s->x[0] - px, uy = s->y[0] - py, lu = sqrt(ux * ux + uy * uy);
   q->work++;
   for (int j = 0; j < s->n; j++) {
     double vx = s->x[j + 1] - px, vy = s->y[j + 1] - py, lv = sqrt(vx * vx + vy * vy);
     double d = ux * vy - uy * vx, b = s->base[j];
     double f = d > 0 ? lu * lv * b * (lu + lv + b) / (4 * d * d) : INFINITY;
-    double l = lu * (inv + s->inv[j]), out = l > METRIC_LONG ? l / METRIC_LONG : METRIC_SHORT / l;
-    w.sum += polish__shape(f) + q->weight * polish__length(l);
+    double l = lu * metric_density(h, s->h[j]), out = l > METRIC_LONG ? l / METRIC_LONG : METRIC_SHORT / l;
+    w.sum += polish__shape(q, f) + q->weight * polish__length(l);
     w.worst = f > w.worst ? f : w.worst;
     w.range = out > w.range ? out : w.range;
     ux = vx, uy = vy, lu = lv;
@@ -133,7 +139,7 @@ static Worth patch_worth(Polish *q)
   for (int i = 0; i < n; i++) {
     const uint32_t *v = m->vert + 3 * (size_t)tri[i];
     double g = metric_quality(tri_xy(m, v[0]), tri_xy(m, v[1]), tri_xy(m, v[2])), f = g > 0 ? 1 / g : INFINITY;
-    w.sum += polish__shape(f) - q->shape;
+    w.sum += polish__shape(q, f) - q->shape;
     w.worst = fmax(w.worst, f);
     for (int k = 0; k < 3; k++) { // an edge inside the patch is met twice
       VertId a = v[k], b = v[(k + 1) % 3];
@@ -255,7 +261,7 @@ static void list_edges(const Polish *q, DearVec *out)
     if (!tri_is_inside(m, tri_of(e)) || g < e || tri_is_segment(m, e)) continue;
     VertId va = tri_org(m, e), vb = tri_dest(m, e);
     const double *a = tri_xy(m, va), *b = tri_xy(m, vb), *c = tri_xy(m, tri_apex(m, e)), *d = tri_xy(m, tri_apex(m, g));
-    double cost = polish__shape(1 / metric_quality(a, b, c)) + polish__shape(1 / metric_quality(b, a, d)) +
+    double cost = polish__shape(q, 1 / metric_quality(a, b, c)) + polish__shape(q, 1 / metric_quality(b, a, d)) +
                   q->weight * polish__length(metric_length(a, b, r->size[va], r->size[vb]));
     vec_push(out, ((Dear){cost, e, va, vb}));
   }
@@ -282,31 +288,13 @@ static size_t improve_edges(Polish *q)
 
 // ---- entry ----------------------------------------------------------------------------------------------------------
 
-// Sizes by the field, not by the order in which the vertices came.
-static void begin(Polish *q, bool strict)
-{
-  Refiner *r = q->r;
-  for (VertId v = 0; v < r->m->nv; v++)
-    if (!r->fixed[v]) r->size[v] = polish__size(q, v, tri_xy(r->m, v));
-  q->floor = strict ? fmin(r->worst, TOLERATED) : TOLERATED;
-}
-
-static double worst_of(const Tri *m)
-{
-  double worst = 1;
-  for (TriId t = 0; t < m->nt; t++) {
-    if (!tri_is_inside(m, t)) continue;
-    const uint32_t *v = m->vert + 3 * (size_t)t;
-    worst = fmax(worst, 1 / metric_quality(tri_xy(m, v[0]), tri_xy(m, v[1]), tri_xy(m, v[2])));
-  }
-  return worst;
-}
-
-PolishedMesh refine__polish(Refiner *r, RefineField *field, bool strict, uint64_t budget)
+PolishedMesh refine__polish(Refiner *r, RefineField *field, const PolishGoal *goal, bool strict, uint64_t budget)
 {
   Polish *q = mem_zalloc(sizeof *q);
-  q->r = r, q->field = field, q->budget = budget, q->now = 1;
-  begin(q, strict);
+  q->r = r, q->field = field, q->goal = goal, q->budget = budget, q->now = 1;
+  q->more_gamma = goal->more_gamma, q->more_length = goal->more_length;
+  q->floor = strict ? fmin(r->worst, TOLERATED) : TOLERATED;
+  refine__field_apply(field, r);
   double cost = measure(q);
   for (int k = 0; k < ROUNDS && q->work < q->budget; k++) {
     sweep(q);
@@ -315,16 +303,17 @@ PolishedMesh refine__polish(Refiner *r, RefineField *field, bool strict, uint64_
     q->now++;
     size_t changes = improve_edges(q);
     double now = measure(q);
-    if (changes == 0 && now > cost - LEAST_PROGRESS) break;
-    cost = now;
+    bool falls_short = press(q);
+    if (changes == 0 && now > cost - LEAST_PROGRESS && !falls_short) break;
+    cost = measure(q);
   }
   q->budget += budget / 4;
   sweep(q);
   measure(q);
-  double sine2 = polish__sharpen(q);
-  cost = measure(q) + POLISH_ANGLE * fmax(0, sqrt(POLISH_SINE2) - sqrt(sine2));
+  polish__sharpen(q);
   vec_free(&q->changed);
   vec_free(&q->tried);
   free(q);
-  return (PolishedMesh){cost, worst_of(r->m)};
+  PolishFigures made = polish__figures(r);
+  return (PolishedMesh){made, polish__cost(&made, &goal->reference)};
 }

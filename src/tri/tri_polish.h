@@ -1,4 +1,4 @@
-// tri_polish.h - the two halves of polishing: all edges by trial (tri_polish.c), the smallest angle (tri_sharpen.c)
+// tri_polish.h - polishing small faces: all edges by trial (tri_polish.c), the smallest angle (tri_sharpen.c), figures
 // SPDX-License-Identifier: MIT
 #ifndef TRI_TRI_POLISH_H
 #define TRI_TRI_POLISH_H
@@ -12,12 +12,37 @@
 #define POLISH_ANGLE 0.2
 // Squared sine of 45.5 degrees: a smallest angle beyond that is worth nothing more.
 #define POLISH_SINE2 0.5087
+// A mean that falls short of the reference by less than this is as good.
+#define POLISH_SLACK 5e-4
+
+// The mesh of a face in the figures that a report prints, its sizes those of the field. gamma is kappa_4^2.
+typedef struct {
+  double gamma, fifth; // mean and 5th percentile over the triangles
+  double sine2;        // squared sine of the smallest angle, of the triangles with a vertex that is free to move; 1 without any
+  double length;       // mean of polish__length over the edges: minus the logarithm of the efficiency index
+  double shape;        // mean over the triangles of what their shape costs
+  double worst;        // largest 1/gamma
+} PolishFigures;
+
+// What polishing is for.
+typedef struct {
+  PolishFigures reference;        // of a mesh that is there already: no figure is to be worse
+  double bound;                   // 1/gamma that no triangle is to exceed
+  double more_gamma, more_length; // factors by which the two means count more than usual
+} PolishGoal;
+
+typedef struct {
+  PolishFigures figures;
+  double cost; // for choosing among several meshes of a face
+} PolishedMesh;
 
 typedef struct {
   Refiner *r;
   Trial trial;
   RefineField *field;
-  double shape, length; // means over the mesh when it was last measured
+  const PolishGoal *goal;
+  double shape, length, loss; // means over the mesh when it was last measured: costs of shapes and lengths, 1 - gamma
+  double more_gamma, more_length; // the factors of the goal, and more while a mean falls short
   double weight;        // of a length against a shape in sums, so that they compare as the means do
   double lift;          // of the smallest sine in sums
   double floor;         // 1/kappa_4^2 that triangles may rise to
@@ -26,10 +51,36 @@ typedef struct {
   uint32_t now;
 } Polish;
 
-// What a triangle costs that has 1/kappa_4^2 = f: how far gamma is from 1, and more the worse it is.
-static inline double polish__shape(double f)
+// ---- tri_polish.c
+// For small faces: vertices moved, edges flipped, collapsed and split by trial for the mean shape, the efficiency index and the
+// smallest angle of the whole, until nothing helps or `budget` positions of vertices have been measured (0.1 us each). Operations may
+// make triangles as bad as gamma 0.7; strict: none worse than r->worst either. Collapses leave isolated vertices.
+PolishedMesh refine__polish(Refiner *r, RefineField *field, const PolishGoal *goal, bool strict, uint64_t budget);
+// The size wanted at p, where vertex v is to go.
+double polish__size(Polish *q, VertId v, const double *p);
+
+// ---- tri_sharpen.c
+// Raise the smallest angle of the mesh while that is worth what it costs.
+void polish__sharpen(Polish *q);
+// Squared sine of the smallest angle of the triangles with a vertex that is free to move; 1 without any.
+double polish__sine2(const Refiner *r);
+
+// ---- tri_figures.c
+// Of the mesh as it is. O(n log n).
+PolishFigures polish__figures(const Refiner *r);
+// What a mesh with these figures costs: means, the smallest angle, and far more where one is worse than the reference.
+double polish__cost(const PolishFigures *f, const PolishFigures *reference);
+
+// How far gamma = 1/f is from 1, `mean` times, and more the worse it is.
+static inline double polish__badness(double f, double mean)
 {
-  return 1 - 1 / f + 15 * (f - 1) * (f - 1);
+  return mean * (1 - 1 / f) + 15 * (f - 1) * (f - 1);
+}
+
+// What a triangle costs that has 1/kappa_4^2 = f; steeply more beyond the bound.
+static inline double polish__shape(const Polish *q, double f)
+{
+  return polish__badness(f, q->more_gamma) + 10 * (f > q->goal->bound ? f - q->goal->bound : 0);
 }
 
 // What an edge of that adimensional length costs: its part in the efficiency index [book eq. 4.16].
@@ -37,11 +88,5 @@ static inline double polish__length(double l)
 {
   return l < 1 ? 1 - l : 1 - 1 / l;
 }
-
-// The size wanted at p, where vertex v is to go.
-double polish__size(Polish *q, VertId v, const double *p);
-// Raise the smallest angle of the mesh while that is worth what it costs. Returns its squared sine, of the triangles with a vertex
-// that is free to move; 1 without any.
-double polish__sharpen(Polish *q);
 
 #endif

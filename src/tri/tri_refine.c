@@ -66,8 +66,7 @@ static void sizes_for_vertices(Refiner *r)
   if (r->carried) r->carried = mem_realloc(r->carried, (size_t)r->cap_v * sizeof *r->carried);
 }
 
-// Room for what is expected, so that growing arrays need not be copied; only what is used of it costs memory.
-static void reserve(Refiner *r)
+void refine__reserve(Refiner *r)
 {
   enum { WORTH = 1 << 14 };
   double n = 1.05 * fmin(expected_triangles(r), 2 * (double)r->max_vertices);
@@ -76,7 +75,7 @@ static void reserve(Refiner *r)
   sizes_for_vertices(r);
 }
 
-static void initial_sizes(Refiner *r)
+void refine__initial_sizes(Refiner *r)
 {
   const Tri *m = r->m;
   r->cap_v = m->cap_v > m->nv ? m->cap_v : m->nv;
@@ -232,144 +231,6 @@ bool refine__go_on(Refiner *r)
 
 // ---- entry -------------------------------------------------------------------------------------------------------
 
-static void clear_user_bits(Tri *m)
-{
-  for (TriId t = 0; t < m->nt; t++) m->flag[t] &= (uint8_t)~(REFINE_SMALL | REFINE_STUCK);
-}
-
-// Faces of fewer than REFINE_POLISHED triangles are polished; those of fewer than REPEATED are made three times, with the sizes as they are, a
-// tenth smaller and a tenth larger, and the best is kept: with so few triangles, chance decides how well they fit.
-// Measurements of a position for one attempt: about 1 ms, and 5 ms where there is only one.
-enum { REPEATED = 300, POLISH_WORK = 9000, POLISH_ONCE = 40000 };
-
-typedef struct {
-  SizeAt size;
-  void *ctx;
-  double scale;
-} ScaledSize;
-
-static double scaled_size(void *ctx, Vec2 p)
-{
-  const ScaledSize *s = ctx;
-  return s->scale * s->size(s->ctx, p);
-}
-
-static bool is_lattice(const TriRefineParams *p)
-{
-  return p->algorithm == REFINE_FRONT_QUAD || p->algorithm == REFINE_PACK;
-}
-
-static void place_vertices(Refiner *r, VertId given)
-{
-  Tri *m = r->m;
-  free(m->hint); // insertion need not keep it up
-  m->hint = NULL;
-  clear_user_bits(m);
-  switch (r->p->algorithm) {
-  case REFINE_EMPTY: break;
-  case REFINE_ADAPT: refine__saturate(r); break;
-  case REFINE_DELAUNAY: refine__delaunay(r, REFINE_LIMIT_SIZE); break;
-  case REFINE_FRONTAL: refine__frontal(r); break;
-  case REFINE_FRONT_QUAD: refine__front_quad(r, false); break;
-  case REFINE_PACK: refine__front_quad(r, true); break;
-  }
-  clear_user_bits(m);
-  refine__renumber(r, given);
-  refine__prepare(r, given);
-  if (r->p->algorithm == REFINE_ADAPT && r->stats->outcome == REFINE_DONE) {
-    refine__adapt(r);
-    refine__renumber(r, given);
-    refine__prepare(r, given);
-  }
-  if (r->p->algorithm == REFINE_EMPTY || r->stats->outcome == REFINE_CANCELLED) return;
-  if (!is_lattice(r->p)) refine__smooth(r, r->p->smoothing); // these have been smoothed their own way
-  refine__optimize(r, r->p->optimize);
-}
-
-static double *copied(const double *x, size_t n)
-{
-  double *y = x ? mem_alloc(n * sizeof *y) : NULL;
-  if (x) memcpy(y, x, n * sizeof *y);
-  return y;
-}
-
-// The mesh out of the empty one, its vertices placed by `scale` times the sizes. Its cost is INFINITY if it was not polished.
-static PolishedMesh attempt(Refiner *r, VertId given, double scale, bool strict)
-{
-  const TriRefineParams *p = r->p;
-  TriRefineParams scaled = *p;
-  ScaledSize size = {p->size, p->size_ctx, scale};
-  RefineField field;
-  PolishedMesh out = {INFINITY, INFINITY};
-  initial_sizes(r);
-  refine__field_take(&field, r);
-  double *wanted = copied(r->size, given);
-  if (scale != 1) {
-    if (p->size) scaled.size = scaled_size, scaled.size_ctx = &size;
-    for (VertId v = 0; v < given; v++) {
-      r->size[v] *= scale;
-      if (r->carried) r->carried[v] *= scale;
-    }
-    r->p = &scaled;
-  }
-  if (p->algorithm != REFINE_EMPTY) reserve(r);
-  place_vertices(r, given);
-  r->p = p;
-  memcpy(r->size, wanted, given * sizeof *wanted);
-  bool finished = p->algorithm != REFINE_EMPTY && !is_lattice(p) && r->stats->outcome == REFINE_DONE;
-  if (finished && p->optimize > 0 && r->m->nt < REFINE_POLISHED)
-    out = refine__polish(r, &field, strict, r->m->nt < REPEATED ? POLISH_WORK : POLISH_ONCE);
-  if (r->stats->collapses) refine__drop_isolated(r, given);
-  refine__field_free(&field);
-  free(wanted);
-  return out;
-}
-
-static void release(Refiner *r)
-{
-  free(r->size), free(r->carried), free(r->fixed), free(r->awake), free(r->excess);
-  vec_free(&r->rim), vec_free(&r->dead), vec_free(&r->stack);
-}
-
-// Another attempt at the face whose mesh r has, from the empty mesh `start`. It takes the place of r's if it costs less than *cost and
-// its worst triangle is not above `worst`.
-static void try_again(Refiner *r, const Tri *start, VertId given, double scale, bool strict, double worst, double *cost)
-{
-  Tri m;
-  tri_copy(&m, start);
-  TriRefineStats stats = {.outcome = REFINE_DONE, .split = r->stats->split};
-  Refiner other = {.m = &m, .p = r->p, .stats = &stats, .max_vertices = r->max_vertices};
-  PolishedMesh made = attempt(&other, given, scale, strict);
-  if (made.cost < *cost && made.worst <= worst) {
-    *cost = made.cost;
-    Tri swap = *r->m;
-    *r->m = m, m = swap;
-    *r->stats = stats;
-    other.m = r->m, other.stats = r->stats;
-    Refiner worse = *r;
-    *r = other, other = worse;
-  }
-  release(&other);
-  tri_free(&m);
-}
-
-// The best of several attempts. None that is kept has a triangle worse than the worst that the first one began to optimize.
-static void make_mesh(Refiner *r, VertId given)
-{
-  Tri start;
-  tri_copy(&start, r->m);
-  PolishedMesh first = attempt(r, given, 1, false);
-  if (isfinite(first.cost)) {
-    double worst = r->worst, cost = first.worst <= worst ? first.cost : INFINITY;
-    if (r->p->algorithm == REFINE_FRONTAL && r->m->nt < REPEATED) {
-      try_again(r, &start, given, 0.9, false, worst, &cost);
-      try_again(r, &start, given, 1.1, false, worst, &cost);
-    }
-    if (!isfinite(cost)) try_again(r, &start, given, 1, true, INFINITY, &cost);
-  }
-  tri_free(&start);
-}
-
 TriRefineStats tri_refine(Tri *m, const TriRefineParams *p)
 {
   TriRefineStats stats = {.outcome = REFINE_DONE};
@@ -378,7 +239,7 @@ TriRefineStats tri_refine(Tri *m, const TriRefineParams *p)
   Refiner r = {.m = m, .p = p, .stats = &stats, .max_vertices = MIN(cap, (size_t)TRI_MAX_VERTICES)};
   if (p->conforming) refine__conform(&r);
   VertId given = m->nv;
-  make_mesh(&r, given);
+  refine__make_mesh(&r, given);
   if (p->min_angle > 0 && stats.outcome == REFINE_DONE) {
     tri_legalize_all(m);
     refine__min_angle(&r, p->min_angle, given);
@@ -388,6 +249,6 @@ TriRefineStats tri_refine(Tri *m, const TriRefineParams *p)
     *p->sizes_out = r.size;
     r.size = NULL;
   }
-  release(&r);
+  refine__release(&r);
   return stats;
 }

@@ -35,17 +35,17 @@ typedef struct {
 static Sharpness sharpness(Polish *q, const Star *s, double px, double py, double h)
 {
   Sharpness w = {1, 0, 1, 0};
-  double inv = 0.5 / h, ux = s->x[0] - px, uy = s->y[0] - py, lu = sqrt(ux * ux + uy * uy);
+  double ux = s->x[0] - px, uy = s->y[0] - py, lu = sqrt(ux * ux + uy * uy);
   q->work++;
   for (int j = 0; j < s->n; j++) {
     double vx = s->x[j + 1] - px, vy = s->y[j + 1] - py, lv = sqrt(vx * vx + vy * vy);
     double d = ux * vy - uy * vx, b = s->base[j];
     double f = d > 0 ? lu * lv * b * (lu + lv + b) / (4 * d * d) : INFINITY;
-    double l = lu * (inv + s->inv[j]);
+    double l = lu * metric_density(h, s->h[j]);
     w.sine2 = fmin(w.sine2, sine2(lu, lv, b, d));
     w.worst = fmax(w.worst, f);
     w.range = fmax(w.range, l > METRIC_LONG ? l / METRIC_LONG : METRIC_SHORT / l);
-    w.sum += polish__shape(f) + q->weight * polish__length(l);
+    w.sum += polish__shape(q, f) + q->weight * polish__length(l);
     ux = vx, uy = vy, lu = lv;
   }
   return w;
@@ -82,7 +82,7 @@ static bool sharpen(Polish *q, VertId v)
   return true;
 }
 
-static double smallest(const Refiner *r)
+double polish__sine2(const Refiner *r)
 {
   const Tri *m = r->m;
   double least = 1;
@@ -91,12 +91,12 @@ static double smallest(const Refiner *r)
   return least;
 }
 
-double polish__sharpen(Polish *q)
+void polish__sharpen(Polish *q)
 {
   Refiner *r = q->r;
   const Tri *m = r->m;
   bool moved = true;
-  double least = smallest(r);
+  double least = polish__sine2(r);
   for (int k = 0; k < ROUNDS && moved && least < POLISH_SINE2; k++) {
     moved = false;
     for (TriId t = 0; t < m->nt; t++) {
@@ -104,7 +104,6 @@ double polish__sharpen(Polish *q)
       for (EdgeId e = 3 * t; e < 3 * t + 3; e++)
         if (!r->fixed[m->vert[e]]) moved |= sharpen(q, m->vert[e]);
     }
-    least = smallest(r);
+    least = polish__sine2(r);
   }
-  return least;
 }
