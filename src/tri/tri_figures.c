@@ -21,7 +21,7 @@ static double mean_length_cost(const Refiner *r)
     if (!tri_is_inside(m, tri_of(e))) continue;
     double share = tri_is_segment(m, e) ? 1 : 0.5;
     VertId a = tri_org(m, e), b = tri_dest(m, e);
-    sum += share * polish__length(metric_length(tri_xy(m, a), tri_xy(m, b), r->size[a], r->size[b]));
+    sum += share * polish__length(metric_length_graded(tri_xy(m, a), tri_xy(m, b), r->size[a], r->size[b]));
     n += share;
   }
   return n > 0 ? sum / n : 0;

@@ -21,17 +21,23 @@ static inline double metric_distance2(const double *a, const double *b)
   return x * x + y * y;
 }
 
-// Mean of 1/h along an edge over which h is linear, ln(hb / ha) / (hb - ha) [book eq. 4.15], by Simpson's rule: within 0.2 % where
-// the sizes differ by a factor of two, 3 % at four. The trapezoidal rule would be 8 % off at two: where sizes grade, edges would come
-// out as much too short.
+// Adimensional length of ab from the sizes at its ends [book eq. 4.15], by the trapezoidal rule on 1/h.
+static inline double metric_length(const double *a, const double *b, double ha, double hb)
+{
+  return sqrt(metric_distance2(a, b)) * (ha + hb) / (2 * ha * hb);
+}
+
+// Mean of 1/h along an edge over which h is linear, ln(hb / ha) / (hb - ha), by Simpson's rule: within 0.2 % where the sizes differ by
+// a factor of two, 3 % at four; the trapezoidal rule is 8 and 35 % above. Small faces grade that much from edge to edge, and a mesh
+// polished by too long lengths has its edges too short.
 static inline double metric_density(double ha, double hb)
 {
   double s = ha + hb, p = ha * hb;
   return (s * s + 8 * p) / (6 * p * s);
 }
 
-// Adimensional length of ab from the sizes at its ends.
-static inline double metric_length(const double *a, const double *b, double ha, double hb)
+// The length of ab with it.
+static inline double metric_length_graded(const double *a, const double *b, double ha, double hb)
 {
   return sqrt(metric_distance2(a, b)) * metric_density(ha, hb);
 }

@@ -38,7 +38,7 @@ static double measure(Polish *q)
     for (EdgeId e = 3 * t; e < 3 * t + 3; e++) {
       double share = tri_is_segment(m, e) ? 1 : 0.5;
       VertId a = tri_org(m, e), b = tri_dest(m, e);
-      length += share * polish__length(metric_length(tri_xy(m, a), tri_xy(m, b), r->size[a], r->size[b]));
+      length += share * polish__length(metric_length_graded(tri_xy(m, a), tri_xy(m, b), r->size[a], r->size[b]));
       nedge += share;
     }
   }
@@ -143,7 +143,7 @@ static Worth patch_worth(Polish *q)
     w.worst = fmax(w.worst, f);
     for (int k = 0; k < 3; k++) { // an edge inside the patch is met twice
       VertId a = v[k], b = v[(k + 1) % 3];
-      double l = metric_length(tri_xy(m, a), tri_xy(m, b), r->size[a], r->size[b]);
+      double l = metric_length_graded(tri_xy(m, a), tri_xy(m, b), r->size[a], r->size[b]);
       w.sum += 0.5 * q->weight * (polish__length(l) - q->length);
       w.range = fmax(w.range, l > METRIC_LONG ? l / METRIC_LONG : METRIC_SHORT / l);
     }
@@ -189,7 +189,7 @@ static bool is_worth_a_trial(const Refiner *r, EdgeId e, TrialOperation op)
   const Tri *m = r->m;
   VertId a = tri_org(m, e), b = tri_dest(m, e);
   if (op == TRIAL_FLIP) return true;
-  double l = metric_length(tri_xy(m, a), tri_xy(m, b), r->size[a], r->size[b]);
+  double l = metric_length_graded(tri_xy(m, a), tri_xy(m, b), r->size[a], r->size[b]);
   return op == TRIAL_SPLIT ? l >= 0.95 : l <= 1.05;
 }
 
@@ -262,7 +262,7 @@ static void list_edges(const Polish *q, DearVec *out)
     VertId va = tri_org(m, e), vb = tri_dest(m, e);
     const double *a = tri_xy(m, va), *b = tri_xy(m, vb), *c = tri_xy(m, tri_apex(m, e)), *d = tri_xy(m, tri_apex(m, g));
     double cost = polish__shape(q, 1 / metric_quality(a, b, c)) + polish__shape(q, 1 / metric_quality(b, a, d)) +
-                  q->weight * polish__length(metric_length(a, b, r->size[va], r->size[vb]));
+                  q->weight * polish__length(metric_length_graded(a, b, r->size[va], r->size[vb]));
     vec_push(out, ((Dear){cost, e, va, vb}));
   }
   if (out->len) qsort(out->data, out->len, sizeof *out->data, dearer_first);

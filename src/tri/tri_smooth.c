@@ -25,7 +25,7 @@ static Worth worth(const Star *s, double px, double py, double h, double *each)
     double d = ux * vy - uy * vx, b = s->base[j];
     double f = d > 0 ? lu * lv * b * (lu + lv + b) / (4 * d * d) : INFINITY;
     if (each) each[j] = f;
-    double len = lu * (inv + s->inv[j]); // neighbours' sizes are near here: the trapezoidal rule spares a division
+    double len = lu * (inv + s->inv[j]);
     w.sum += f + LENGTH_WEIGHT * (len + 1 / len - 2);
     w.worst = f > w.worst ? f : w.worst;
     shortest = len < shortest ? len : shortest;
