@@ -83,24 +83,26 @@ static bool collect_normals(Job *j, const Shape *shape, size_t n, SrcLoc loc, Di
 }
 
 // The curve at the far end of layers along the normals: straight if the curve is, else a spline through places in equal steps of the
-// parameter.
+// parameter. Numbers of points are left out as Gmsh does, which copies the control points and drops them.
 static int offset_curve(Job *j, int signed_tag)
 {
   enum { PLACES = 23 }; // a prime, so that they seldom are where nodes come to be
   Model *m = j->m;
   const Curve *c = model_curve(m, signed_tag);
   bool back = signed_tag < 0, straight = c->type == CURVE_LINE;
-  int tag = model__next_tag(m, KIND_CURVE), n = straight ? 1 : PLACES, from = back ? c->end : c->begin, to = back ? c->begin : c->end;
-  int point[PLACES + 1];
-  for (int i = 0; i <= n; i++) {
-    double u = back ? 1 - (double)i / n : (double)i / n;
-    Vec3 p = i == 0   ? moved_along_normal(j, from)
-             : i == n ? moved_along_normal(j, to)
-                      : vec3_add(curve_point(m, c, u), vec3_scale(j->thickness, normal_of(m, c, u, back)));
-    point[i] = model__copy_point(m, i < n ? from : to, j->loc);
-    model__point_moves(m, point__get(m, point[i]), p);
+  int tag = model__next_tag(m, KIND_CURVE), from = back ? c->end : c->begin, to = back ? c->begin : c->end;
+  Vec3 x[PLACES + 1];
+  for (int i = 1; i < PLACES && !straight; i++) {
+    double u = back ? 1 - (double)i / PLACES : (double)i / PLACES;
+    x[i] = vec3_add(curve_point(m, c, u), vec3_scale(j->thickness, normal_of(m, c, u, back)));
   }
-  curve__make(m, tag, straight ? CURVE_LINE : CURVE_SPLINE, point, n + 1, point[0], point[n], j->loc);
+  x[0] = moved_along_normal(j, from);
+  x[PLACES] = moved_along_normal(j, to);
+  m->max[KIND_POINT] += c->npoint;
+  int end[2] = {model__copy_point(m, from, j->loc), model__copy_point(m, to, j->loc)};
+  for (int i = 0; i < 2; i++) model__point_moves(m, point__get(m, end[i]), x[i * PLACES]);
+  Curve *top = curve__make(m, tag, straight ? CURVE_LINE : CURVE_SPLINE, end, 2, end[0], end[1], j->loc);
+  if (!straight) top->pieces = pieces__through(m, x, PLACES + 1);
   return tag;
 }
 

@@ -176,6 +176,7 @@ void extrude__opencascade(Model *m, const Shape *shape, size_t n, const Sweep *s
 // split.c
 // Put `part` (head to tail, signed) in the place of curve `tag` in loops, groups and lists of embedded curves.
 void model__replace_curve(Model *m, int tag, const IntVec *part);
+Pieces *pieces__through(Model *m, const Vec3 *x, int n); // twice differentiable, knots in equal steps
 Pieces *pieces__copy(Model *m, const Pieces *p, bool back);
 
 // spline.c: OpenCASCADE's Spline, BSpline or Bezier of a claimed tag, through or by points that exist. A closed BSpline begins at a new

@@ -44,14 +44,14 @@ static void inner_slopes(const double *t, const Vec3 *x, int n, Vec3 *slope)
   free(factor);
 }
 
-// Cubic, twice differentiable through all points, parametrized by the chords. At the ends it has the direction of the cubic through the
-// four nearest points, closed curves at both ends that of the first four.
-static Pieces *through(Model *m, const Vec3 *x, int n, bool closed)
+// Cubic, twice differentiable through all points. At the ends it has the direction of the cubic through the four nearest points, closed
+// curves at both ends that of the first four.
+static Pieces *through(Model *m, const Vec3 *x, int n, bool closed, bool by_chords)
 {
   double *t = mem_alloc((size_t)n * sizeof *t), back_t[4];
   Vec3 *slope = mem_alloc((size_t)n * sizeof *slope), back_x[4];
   t[0] = 0;
-  for (int i = 1; i < n; i++) t[i] = t[i - 1] + vec3_distance(x[i - 1], x[i]);
+  for (int i = 1; i < n; i++) t[i] = t[i - 1] + (by_chords ? vec3_distance(x[i - 1], x[i]) : 1);
   int near = MIN(closed ? n - 1 : n, 4);
   for (int i = 0; i < near; i++) {
     back_t[i] = t[n - 1 - i];
@@ -75,6 +75,8 @@ static Pieces *through(Model *m, const Vec3 *x, int n, bool closed)
   free(slope);
   return p;
 }
+
+Pieces *pieces__through(Model *m, const Vec3 *x, int n) { return through(m, x, n, false, false); }
 
 // Cubic B-spline around n points, with single knots but where it begins: there a double one, halfway between the first two points.
 static Pieces *around(Model *m, const Vec3 *x, int n)
@@ -148,7 +150,7 @@ bool spline__add(Model *m, CurveType type, int tag, const int *point, size_t npo
   Vec3 *x = mem_alloc(npoint * sizeof *x);
   for (int i = 0; i < n; i++) x[i] = point__get(m, point[i])->xyz;
   Pieces *p = NULL;
-  if (type == CURVE_SPLINE) p = points_apart(point, x, n, tag, loc, diag) ? through(m, x, n, closed) : NULL;
+  if (type == CURVE_SPLINE) p = points_apart(point, x, n, tag, loc, diag) ? through(m, x, n, closed, true) : NULL;
   else if (type == CURVE_BEZIER) p = one_bezier(m, x, n);
   else if (!closed) p = as_built_in(m, type, tag, point, n, loc, diag);
   else {
