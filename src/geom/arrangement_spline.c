@@ -94,8 +94,13 @@ void arr__spline_meets(ArrBuilder *b, size_t i, size_t j)
 {
   const ArrCurve *x = &b->curve[i], *y = &b->curve[j];
   size_t n = y->kind == ARR_LINE ? 1 : y->kind == ARR_ARC ? 256 : y->npoint - 1, m = x->npoint - 1;
+  ArrBox box = arr__box(x, b->tol);
   for (size_t k = 0; k < n; k++) {
     Vec2 p = arr_curve_at(y, (double)k / (double)n), q = arr_curve_at(y, (double)(k + 1) / (double)n), e = vec2_sub(q, p);
+    double bulge = y->kind == ARR_LINE ? 0 : vec2_length(e) / 2;
+    if (fmax(p.x, q.x) + bulge < box.lo[0] || fmin(p.x, q.x) - bulge > box.hi[0] || fmax(p.y, q.y) + bulge < box.lo[1] ||
+        fmin(p.y, q.y) - bulge > box.hi[1])
+      continue;
     for (size_t l = 0; l < m; l++) {
       Vec2 d = vec2_sub(x->point[l + 1], x->point[l]), r = vec2_sub(p, x->point[l]);
       double det = vec2_cross(d, e);

@@ -5,7 +5,7 @@
 // indexes of all the rest, that persist: points by grid cell, curves by control points, faces by their set of curves.
 #include "base/base.h"
 
-#include "model/model_int.h"
+#include "model/coherence_int.h"
 
 // ---- what was merged ----------------------------------------------------------------------------------------------------
 
@@ -27,211 +27,45 @@ int merged__tag(const Merged *g, int dim, int tag)
   }
 }
 
-// `gone` is now the signed tag `stays`; the sign in the lowest bit, so that no value is NONE.
-static void record(Merged *g, int dim, int gone, int stays)
+// The sign in the lowest bit, so that no value is NONE.
+void coherence__record(Merged *g, int dim, int gone, int stays)
 {
   map_set(&g->to[dim], (uint64_t)gone, (uint32_t)tag__abs(stays) << 1 | (stays < 0));
   vec_push(&g->gone[dim], gone);
 }
 
-static void replace_tags(const Merged *g, int dim, int *tag, size_t n)
+void coherence__replace(const Merged *g, int dim, int *tag, size_t n)
 {
   for (size_t i = 0; i < n; i++) tag[i] = merged__tag(g, dim, tag[i]);
 }
 
-static int by_value(const void *a, const void *b)
+int coherence__by_value(const void *a, const void *b)
 {
   int x = *(const int *)a, y = *(const int *)b;
   return (x > y) - (x < y);
 }
 
-// Ascending, each once.
-static void sort_unique(IntVec *v)
+void coherence__sort_unique(IntVec *v)
 {
   bool ascending = true;
   for (size_t i = 1; i < v->len && ascending; i++) ascending = v->data[i - 1] < v->data[i];
   if (ascending) return;
-  if (v->len) qsort(v->data, v->len, sizeof *v->data, by_value);
+  if (v->len) qsort(v->data, v->len, sizeof *v->data, coherence__by_value);
   size_t n = 0;
   for (size_t i = 0; i < v->len; i++)
     if (!n || v->data[n - 1] != v->data[i]) v->data[n++] = v->data[i];
   v->len = n;
 }
 
-static void groups_follow(Model *m, int dim, const Merged *g)
+void coherence__groups_follow(Model *m, int dim, const Merged *g)
 {
   for (size_t i = 0; i < m->group[dim].len; i++)
-    replace_tags(g, dim, m->group[dim].data[i]->entity.data, m->group[dim].data[i]->entity.len);
+    coherence__replace(g, dim, m->group[dim].data[i]->entity.data, m->group[dim].data[i]->entity.len);
 }
 
-// ---- points -----------------------------------------------------------------------------------------------------------
-
-static int64_t cell_index(const Model *m, double x)
-{
-  if (m->cell_size > 0) return (int64_t)floor(fmax(-9e18, fmin(9e18, x / m->cell_size)));
-  x += 0.0; // -0 and 0 are one place
-  int64_t bits;
-  memcpy(&bits, &x, sizeof bits);
-  return bits;
-}
-
-static uint64_t cell_hash(int64_t i, int64_t j, int64_t k)
-{
-  return hash__mix(hash__mix(hash__mix(0, (uint64_t)i), (uint64_t)j), (uint64_t)k);
-}
-
-static uint64_t cell_of(const Model *m, Vec3 p)
-{
-  return cell_hash(cell_index(m, p.x), cell_index(m, p.y), cell_index(m, p.z));
-}
-
-static uint32_t point_slot(const Model *m, int tag) { return table__find(&m->point, tag); }
-
-void model__point_moves(Model *m, Point *p, Vec3 to)
-{
-  if (m->cell_on) {
-    uint32_t s = point_slot(m, p->tag);
-    chains__unlink(&m->cell, cell_of(m, p->xyz), s);
-    chains__link(&m->cell, cell_of(m, to), s);
-  }
-  p->xyz = to;
-  m->extent = box3_with(m->extent, to);
-  vec_push(&m->dirty[0], p->tag);
-}
-
-void model__forget_point(Model *m, Point *p)
-{
-  if (m->cell_on) chains__unlink(&m->cell, cell_of(m, p->xyz), point_slot(m, p->tag));
-}
-
-// The point of the lowest tag, other than p, within tol of p in each coordinate; NULL if there is none.
-static Point *coincident(const Model *m, const Point *p, double tol)
-{
-  int64_t lo[3], hi[3];
-  double x[3] = {p->xyz.x, p->xyz.y, p->xyz.z};
-  for (int d = 0; d < 3; d++) {
-    lo[d] = cell_index(m, x[d] - tol);
-    hi[d] = cell_index(m, x[d] + tol);
-    if (m->cell_size <= 0) hi[d] = lo[d];
-  }
-  Point *best = NULL;
-  for (int64_t i = lo[0]; i <= hi[0]; i++)
-    for (int64_t j = lo[1]; j <= hi[1]; j++)
-      for (int64_t k = lo[2]; k <= hi[2]; k++) {
-        uint32_t s = map_get(&m->cell.head, cell_hash(i, j, k) & ~(uint64_t)1);
-        for (; s != NONE; s = m->cell.next.data[s]) {
-          Point *q = table__slot(&m->point, s);
-          if (q == p || fabs(q->xyz.x - x[0]) > tol || fabs(q->xyz.y - x[1]) > tol || fabs(q->xyz.z - x[2]) > tol) continue;
-          if (!best || q->tag < best->tag) best = q;
-        }
-      }
-  return best;
-}
-
-// (Re)build the grid when there is none or the model outgrew it, else add the new points.
-static double prepare_cells(Model *m)
-{
-  double diagonal = m->point.live ? vec3_distance(m->extent.lo, m->extent.hi) : 0;
-  double tol = m->set.tolerance * diagonal;
-  if (m->cell_on && diagonal <= 2 * m->cell_diagonal && tol <= m->cell_size / 2) {
-    for (size_t i = 0; i < m->dirty[0].len; i++) {
-      const Point *p = point__get(m, m->dirty[0].data[i]);
-      uint32_t s = p ? point_slot(m, p->tag) : NONE;
-      if (!p) continue;
-      chains__unlink(&m->cell, cell_of(m, p->xyz), s);
-      chains__link(&m->cell, cell_of(m, p->xyz), s);
-    }
-    return tol;
-  }
-  chains__clear(&m->cell);
-  m->cell_on = true;
-  m->cell_diagonal = diagonal;
-  m->cell_size = 8 * tol;
-  map_reserve(&m->cell.head, m->point.live);
-  vec_clear(&m->dirty[0]);
-  table__sort(&m->point);
-  for (size_t i = 0; i < m->point.live; i++) {
-    const Point *p = table__at(&m->point, i);
-    chains__link(&m->cell, cell_of(m, p->xyz), m->point.order.data[i]);
-    vec_push(&m->dirty[0], p->tag);
-  }
-  return tol;
-}
-
-static void find_equal_points(Model *m, Merged *g)
-{
-  double tol = prepare_cells(m);
-  sort_unique(&m->dirty[0]);
-  for (size_t i = 0; i < m->dirty[0].len; i++) {
-    Point *p = point__get(m, m->dirty[0].data[i]);
-    if (!p || merged__tag(g, 0, p->tag) != p->tag) continue;
-    for (Point *q = coincident(m, p, tol); q; q = coincident(m, p, tol)) {
-      Point *gone = q->tag < p->tag ? p : q, *stays = gone == p ? q : p;
-      model__forget_point(m, gone);
-      record(g, 0, gone->tag, stays->tag);
-      if (gone == p) break;
-    }
-  }
-}
-
-static bool curve_follows(Model *m, Curve *c, const Merged *g)
-{
-  bool change = merged__tag(g, 0, c->begin) != c->begin || merged__tag(g, 0, c->end) != c->end;
-  for (int i = 0; i < c->npoint && !change; i++) change = merged__tag(g, 0, c->point[i]) != c->point[i];
-  if (!change) return false;
-  model__forget_curve(m, c);
-  int *ref[2] = {&c->begin, &c->end};
-  for (int i = 0; i < c->npoint + 2; i++) {
-    int *tag = i < c->npoint ? &c->point[i] : ref[i - c->npoint];
-    point__get(m, *tag)->uses--;
-    *tag = merged__tag(g, 0, *tag);
-    point__get(m, *tag)->uses++;
-  }
-  if (c->extruded_point) c->extruded_point = merged__tag(g, 0, c->extruded_point);
-  return true;
-}
-
-static void point_lists_follow(Model *m, const Merged *g)
-{
-  groups_follow(m, 0, g);
-  if (!m->ncorners && !m->nembedded) return;
-  for (uint32_t s = 0; s < m->face.used; s++) {
-    Face *f = table__slot(&m->face, s);
-    if (f->tag == DEAD_TAG) continue;
-    replace_tags(g, 0, f->corner, (size_t)f->ncorner);
-    replace_tags(g, 0, f->embedded_points.data, f->embedded_points.len);
-  }
-}
-
-// Numbers of what was merged are free again, but with OldNewReg = 0.
-static void recount(Model *m, Kind k)
+void coherence__recount(Model *m, Kind k)
 {
   if (m->set.old_newreg || m->set.opencascade) model__recount(m, k);
-}
-
-static void merge_points(Model *m, Merged *g)
-{
-  find_equal_points(m, g);
-  if (!g->gone[0].len) {
-    vec_clear(&m->dirty[0]);
-    return;
-  }
-  sort_unique(&m->dirty[1]);
-  for (size_t i = 0; i < m->dirty[1].len; i++) {
-    Curve *c = table__get(&m->curve, m->dirty[1].data[i]);
-    if (c) curve_follows(m, c, g);
-  }
-  // What was merged is nearly always new, and so are the curves on it: look further only if a use is left.
-  uint64_t uses = 0;
-  for (size_t i = 0; i < g->gone[0].len; i++) uses += point__get(m, g->gone[0].data[i])->uses;
-  for (uint32_t s = 0; uses > 0 && s < m->curve.used; s++) {
-    Curve *c = table__slot(&m->curve, s);
-    if (c->tag != DEAD_TAG && curve_follows(m, c, g)) vec_push(&m->dirty[1], c->tag);
-  }
-  point_lists_follow(m, g);
-  for (size_t i = 0; i < g->gone[0].len; i++) table__remove(&m->point, g->gone[0].data[i]);
-  recount(m, KIND_POINT);
-  vec_clear(&m->dirty[0]);
 }
 
 // ---- curves -----------------------------------------------------------------------------------------------------------
@@ -368,7 +202,7 @@ static void find_equal_curves(Model *m, Merged *g)
     table__sort(&m->curve);
     for (size_t i = 0; i < m->curve.live; i++) vec_push(&m->dirty[1], ((Curve *)table__at(&m->curve, i))->tag);
   }
-  sort_unique(&m->dirty[1]);
+  coherence__sort_unique(&m->dirty[1]);
   for (size_t i = 0; i < m->dirty[1].len; i++) {
     Curve *c = table__get(&m->curve, m->dirty[1].data[i]);
     if (!c || merged__tag(g, 1, c->tag) != c->tag) continue;
@@ -385,30 +219,11 @@ static void find_equal_curves(Model *m, Merged *g)
       Curve *out = gone ? c : d, *in = gone ? d : c;
       inherit(m, in, out, sign);
       if (!gone) model__forget_curve(m, d);
-      record(g, 1, out->tag, sign * in->tag);
+      coherence__record(g, 1, out->tag, sign * in->tag);
     }
     if (!gone) chains__link(&m->curve_key, h, table__find(&m->curve, c->tag));
   }
   vec_clear(&m->dirty[1]);
-}
-
-static uint64_t loop_key(const Loop *l)
-{
-  uint64_t sum = 0; // of a set: the order does not count
-  for (int i = 0; i < l->ncurve; i++) sum += hash__mix(1, (uint64_t)tag__abs(l->curve[i]));
-  return sum;
-}
-
-static uint64_t face_hash(const Model *m, const Face *f)
-{
-  uint64_t sum = 0;
-  for (int i = 0; i < f->nloop; i++) sum += loop_key(model_loop(m, f->loop[i]));
-  return hash__mix(2, sum);
-}
-
-void model__forget_face(Model *m, Face *f)
-{
-  if (m->face_on) chains__unlink(&m->face_key, face_hash(m, f), table__find(&m->face, f->tag));
 }
 
 static bool loop_changes(const Loop *l, const Merged *g)
@@ -444,7 +259,7 @@ static void loop_follows(Model *m, Loop *l, const Merged *g)
 
 static void curve_lists_follow(Model *m, const Merged *g)
 {
-  groups_follow(m, 1, g);
+  coherence__groups_follow(m, 1, g);
   if (m->nperiodic)
     for (uint32_t s = 0; s < m->curve.used; s++) {
       Curve *c = table__slot(&m->curve, s);
@@ -456,7 +271,7 @@ static void curve_lists_follow(Model *m, const Merged *g)
   }
   for (uint32_t s = 0; m->nembedded && s < m->face.used; s++) {
     Face *f = table__slot(&m->face, s);
-    if (f->tag != DEAD_TAG) replace_tags(g, 1, f->embedded_curves.data, f->embedded_curves.len);
+    if (f->tag != DEAD_TAG) coherence__replace(g, 1, f->embedded_curves.data, f->embedded_curves.len);
   }
 }
 
@@ -471,7 +286,7 @@ static bool still_used(const Model *m, const Merged *g)
 
 static void dirty_loops_follow(Model *m, const Merged *g)
 {
-  sort_unique(&m->dirty[2]);
+  coherence__sort_unique(&m->dirty[2]);
   for (size_t i = 0; i < m->dirty[2].len; i++) {
     Face *f = table__get(&m->face, m->dirty[2].data[i]);
     if (f) face_announces(m, f, g);
@@ -525,99 +340,16 @@ static void merge_curves(Model *m, Merged *g)
   if (still_used(m, g)) all_loops_follow(m, g);
   curve_lists_follow(m, g);
   for (size_t i = 0; i < g->gone[1].len; i++) curve__drop(m, g->gone[1].data[i]);
-  recount(m, KIND_CURVE);
-}
-
-// ---- faces ------------------------------------------------------------------------------------------------------------
-
-static void boundary_set(const Model *m, const Face *f, IntVec *out)
-{
-  vec_clear(out);
-  for (int i = 0; i < f->nloop; i++) {
-    const Loop *l = model_loop(m, f->loop[i]);
-    for (int j = 0; j < l->ncurve; j++) vec_push(out, tag__abs(l->curve[j]));
-  }
-  if (out->len) qsort(out->data, out->len, sizeof(int), by_value);
-}
-
-static bool same_face(const Model *m, const Face *a, const Face *b)
-{
-  IntVec p = {0}, q = {0};
-  boundary_set(m, a, &p);
-  boundary_set(m, b, &q);
-  bool same = p.len == q.len && memcmp(p.data, q.data, p.len * sizeof(int)) == 0;
-  vec_free(&p);
-  vec_free(&q);
-  return same;
-}
-
-static void find_equal_faces(Model *m, Merged *g)
-{
-  if (!m->face_on) {
-    m->face_on = true;
-    vec_clear(&m->dirty[2]);
-    table__sort(&m->face);
-    for (size_t i = 0; i < m->face.live; i++) vec_push(&m->dirty[2], ((Face *)table__at(&m->face, i))->tag);
-  }
-  sort_unique(&m->dirty[2]);
-  for (size_t i = 0; i < m->dirty[2].len; i++) {
-    Face *f = table__get(&m->face, m->dirty[2].data[i]);
-    if (!f || merged__tag(g, 2, f->tag) != f->tag) continue;
-    model__forget_face(m, f);
-    uint64_t h = face_hash(m, f) & ~(uint64_t)1;
-    uint32_t s = map_get(&m->face_key.head, h), next;
-    bool gone = false;
-    for (; s != NONE && !gone; s = next) {
-      next = m->face_key.next.data[s];
-      Face *e = table__slot(&m->face, s);
-      if (!same_face(m, e, f)) continue;
-      gone = e->tag < f->tag;
-      Face *out = gone ? f : e, *in = gone ? e : f;
-      if (!gone) model__forget_face(m, e);
-      record(g, 2, out->tag, in->tag);
-    }
-    if (!gone) chains__link(&m->face_key, h, table__find(&m->face, f->tag));
-  }
-  vec_clear(&m->dirty[2]);
-}
-
-static void merge_faces(Model *m, Merged *g)
-{
-  find_equal_faces(m, g);
-  if (!g->gone[2].len) return;
-  groups_follow(m, 2, g);
-  for (uint32_t s = 0; m->ncopied && s < m->face.used; s++) {
-    Face *f = table__slot(&m->face, s);
-    if (f->tag == DEAD_TAG) continue;
-    if (f->copy_of) f->copy_of = merged__tag(g, 2, f->copy_of);
-    if (f->periodic_master) f->periodic_master = merged__tag(g, 2, f->periodic_master);
-  }
-  for (uint32_t s = 0; s < m->volume.used; s++) {
-    Volume *v = table__slot(&m->volume, s);
-    if (v->tag == DEAD_TAG) continue;
-    for (int i = 0; i < v->nface; i++) {
-      int to = merged__tag(g, 2, v->face[i]);
-      if (to == v->face[i]) continue;
-      model_face(m, v->face[i])->uses--;
-      model_face(m, to)->uses++;
-      v->face[i] = to;
-    }
-  }
-  for (uint32_t s = 0; s < m->surface_loop.used; s++) {
-    SurfaceLoop *l = table__slot(&m->surface_loop, s);
-    if (l->tag != DEAD_TAG) replace_tags(g, 2, l->face, (size_t)l->nface);
-  }
-  for (size_t i = 0; i < g->gone[2].len; i++) face__drop(m, g->gone[2].data[i]);
-  recount(m, KIND_FACE);
+  coherence__recount(m, KIND_CURVE);
 }
 
 // ---- all --------------------------------------------------------------------------------------------------------------
 
 void model__merge(Model *m, Merged *report)
 {
-  merge_points(m, report);
+  coherence__points(m, report);
   merge_curves(m, report);
-  merge_faces(m, report);
+  coherence__faces(m, report);
   // A loop may have become closed.
   for (size_t i = 0; i < m->pending_loop.len;) {
     Loop *l = model_loop(m, m->pending_loop.data[i]);
