@@ -57,6 +57,14 @@ struct BoundaryLayers {
   size_t nface;
 };
 
+typedef struct {
+  const Model *m;
+  const Options *opt;
+  BoundaryLayers *b;
+  Mesh1d *curves;
+  Diag *diag;
+} Planner;
+
 static inline double chain__thickness(const Chain *c) { return vec_last(&c->field->height); }
 static inline size_t chain__cells(const Chain *c) { return c->closed ? c->col.len : c->col.len - 1; }
 static inline Column *chain__next(const Chain *c, size_t i) { return &c->col.data[(i + 1) % c->col.len]; }
@@ -68,6 +76,14 @@ static inline Vec2 column__top(const Chain *c, const Column *k)
 // Cumulative heights of a column that takes up the share s of the thickness: field->height.len of them. The first is `first` and the
 // others grow by one law, the steeper the more room there is; where not even equal heights fit, they are all equal and less.
 void column__heights(const LayerField *f, double first, double s, double *height);
+
+// The values of a BoundaryLayer field. False if it is of no use: an error says why. To be freed either way.
+bool layer_field__read(LayerField *f, const FieldSet *fields, int id, Diag *diag);
+void layer_field__free(LayerField *f);
+
+// Whether a face is to have layers, and its chains and walls (boundary_layer_plan.c).
+bool layers__wanted(const Planner *p, const Face *face);
+void layers__plan_face(const Planner *p, FaceLayers *f, const Face *face);
 
 // Give every column its factor: room between walls, leaning columns, gentle slopes, and at last exact checks. Factors only
 // decrease: call again after others changed them.
