@@ -216,7 +216,7 @@ static void choose_mesh(Refiner *r, const Tri *start, RefineField *field, VertId
   c.goal = (PolishGoal){polish__figures(r), r->worst, 1, 1};
   rank(&c, p);
   for (int k = 0; k < (small ? POLISHED : 1) && isfinite(p[k].cost); k++) try_scale(&c, p[k].scale);
-  for (int k = 0; k < RAISES && c.best && raise_weights(&c); k++) try_scale(&c, c.scale);
+  for (int k = 0; small && k < RAISES && c.best && raise_weights(&c); k++) try_scale(&c, c.scale);
   if (c.best) {
     take_other(r, c.best);
   } else {
