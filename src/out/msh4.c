@@ -7,16 +7,16 @@
 
 #include "out/msh4_int.h"
 
-static void write_entity(Enc *e, const Selection *s, const MeshEntity *t, int largest_curve)
+static void write_entity(Enc *e, const Selection *s, const MeshEntity *t)
 {
   bool empty = !(t->lo.x <= t->hi.x);
   Vec3 lo = empty ? (Vec3){0, 0, 0} : vec3_scale(s->scale, t->lo), hi = empty ? lo : vec3_scale(s->scale, t->hi);
   put_int(e, t->tag);
   put_vec(e, s->scale < 0 && t->dim ? hi : lo);
   if (t->dim) put_vec(e, s->scale < 0 ? lo : hi);
-  put_tags(e, &t->physical, NULL, 0);
-  // Embedded curves follow the boundary, their tags raised by the largest curve tag, as Gmsh has it.
-  if (t->dim) put_tags(e, &t->boundary, t->dim == 2 ? &t->embedded : NULL, largest_curve);
+  put_tags(e, &t->physical);
+  // Embedded curves are left out: Gmsh does not write them, and warns of tags it does not know there.
+  if (t->dim) put_tags(e, &t->boundary);
   end_line(e);
 }
 
@@ -24,18 +24,16 @@ static void write_entities(Enc *e, const Selection *s)
 {
   const Mesh *m = s->mesh;
   size_t count[3] = {0, 0, 0};
-  int largest_curve = 0;
   for (size_t i = 0; i < m->nentity; i++) {
     if (m->entity[i].parts.len) continue;
     count[m->entity[i].dim]++;
-    if (m->entity[i].dim == 1) largest_curve = MAX(largest_curve, m->entity[i].tag);
   }
   writer_str(e->w, "$Entities\n");
   for (int d = 0; d < 3; d++) put_size(e, count[d]);
   put_size(e, 0);
   end_line(e);
   for (size_t i = 0; i < m->nentity; i++)
-    if (!m->entity[i].parts.len) write_entity(e, s, &m->entity[i], largest_curve);
+    if (!m->entity[i].parts.len) write_entity(e, s, &m->entity[i]);
   writer_str(e->w, e->binary ? "\n$EndEntities\n" : "$EndEntities\n");
 }
 

@@ -61,11 +61,10 @@ static inline void end_line(Enc *e)
   e->first = true;
 }
 
-static inline void put_tags(Enc *e, const IntVec *a, const IntVec *b, int offset)
+static inline void put_tags(Enc *e, const IntVec *a)
 {
-  put_size(e, a->len + (b ? b->len : 0));
+  put_size(e, a->len);
   for (size_t i = 0; i < a->len; i++) put_int(e, a->data[i]);
-  for (size_t i = 0; b && i < b->len; i++) put_int(e, b->data[i] + offset);
 }
 
 // $PartitionedEntities and $GhostElements (msh4_part.c).

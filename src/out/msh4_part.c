@@ -13,11 +13,11 @@ static void write_entity(Enc *e, const Selection *s, const MeshEntity *t)
   put_int(e, t->tag);
   put_int(e, t->parent_dim);
   put_int(e, t->parent_tag);
-  put_tags(e, &t->parts, NULL, 0);
+  put_tags(e, &t->parts);
   put_vec(e, s->scale < 0 && t->dim ? hi : lo);
   if (t->dim) put_vec(e, s->scale < 0 ? lo : hi);
-  put_tags(e, &t->physical, NULL, 0);
-  if (t->dim) put_tags(e, &t->boundary, NULL, 0);
+  put_tags(e, &t->physical);
+  if (t->dim) put_tags(e, &t->boundary);
   end_line(e);
 }
 
