@@ -4,22 +4,11 @@
 
 #include "geom/arrangement_int.h"
 
-static int piece_at(const ArrCurve *c, double u)
-{
-  int a = 0, b = c->npiece - 1;
-  while (a < b) { // the last piece that does not begin beyond u
-    int mid = (a + b + 1) / 2;
-    if (c->knot[mid] <= u)
-      a = mid;
-    else
-      b = mid - 1;
-  }
-  return a;
-}
+#include "geom/knots.h"
 
 Vec2 arr__spline_at(const ArrCurve *c, double u, Vec2 *d1, Vec2 *d2)
 {
-  int k = piece_at(c, u), n = c->degree;
+  int k = knots_piece(c->knot, c->npiece, u), n = c->degree;
   double wide = c->knot[k + 1] - c->knot[k], s = (u - c->knot[k]) / wide;
   Vec2 d[ARR_MOST_DEGREE + 1];
   memcpy(d, c->control + (size_t)k * (size_t)(n + 1), (size_t)(n + 1) * sizeof *d);

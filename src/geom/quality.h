@@ -37,6 +37,19 @@ bool quality_breaks_maximum_principle(Vec2 p, Vec2 q, Vec2 r, Vec2 s);
 // A size field: the wanted edge length at a point, positive.
 typedef double (*SizeAt)(void *ctx, Vec2 p);
 
+// Sizes multiplied by a factor: size_scaled as a SizeAt, with this as its ctx.
+typedef struct {
+  SizeAt size;
+  void *ctx;
+  double factor;
+} ScaledSize;
+
+static inline double size_scaled(void *ctx, Vec2 p)
+{
+  const ScaledSize *s = ctx;
+  return s->factor * s->size(s->ctx, p);
+}
+
 // Adimensional length of the segment pq: the integral of dl/h [book eq. 4.15], by Gauss-Legendre of order 5 on panels halved until
 // two levels agree to 1e-6 (at most 2^10 panels). About 9 evaluations of h for a smooth field.
 double quality_edge_length(Vec2 p, Vec2 q, SizeAt h, void *ctx);

@@ -82,19 +82,6 @@ static void extract(const Tri *t, const FaceGraph *g, const Driver *d, const Fac
   free(id);
 }
 
-// Sizes of the triangles that quadrangles are made of.
-typedef struct {
-  SizeAt size;
-  void *ctx;
-  double factor;
-} Scaled;
-
-static double scaled_size(void *ctx, Vec2 q)
-{
-  const Scaled *d = ctx;
-  return d->factor * d->size(d->ctx, q);
-}
-
 // Algorithms that are not there yet are replaced, and said so.
 static void warn_of_algorithm(const Face *f, const Options *o, Diag *diag)
 {
@@ -165,9 +152,9 @@ static bool try_plane_face(const Driver *d, size_t k, SizeEval *eval, Attempt *a
       p.size = filling_size;
       p.size_ctx = &map;
     }
-    Scaled scaled = {p.size, p.size_ctx, face_quads_size_factor(f, d->in->options, g.coarse) * attempt->finer};
+    ScaledSize scaled = {p.size, p.size_ctx, face_quads_size_factor(f, d->in->options, g.coarse) * attempt->finer};
     if (scaled.factor != 1) {
-      p.size = scaled_size;
+      p.size = size_scaled;
       p.size_ctx = &scaled;
       p.carried_factor = attempt->finer * face_quads_single_factor(d->in->options, g.coarse); // a coarse boundary is of double size itself
     }

@@ -4,6 +4,8 @@
 
 #include "model/curve_int.h"
 
+#include "geom/knots.h"
+
 enum { MAX_STACK_DEGREE = 15 };
 
 // de Casteljau; the last two rows give the derivatives.
@@ -35,14 +37,7 @@ int shape__piece(const CurveShape *h, double u, double *s, double *width)
     *width = 1.0 / h->npiece;
     return i;
   }
-  int a = 0, b = h->npiece - 1;
-  while (a < b) { // the last piece that does not begin beyond u
-    int mid = (a + b + 1) / 2;
-    if (h->knot[mid] <= u)
-      a = mid;
-    else
-      b = mid - 1;
-  }
+  int a = knots_piece(h->knot, h->npiece, u);
   *width = h->knot[a + 1] - h->knot[a];
   *s = (u - h->knot[a]) / *width;
   return a;

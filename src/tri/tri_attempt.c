@@ -17,18 +17,6 @@ static void clear_user_bits(Tri *m)
   for (TriId t = 0; t < m->nt; t++) m->flag[t] &= (uint8_t)~(REFINE_SMALL | REFINE_STUCK);
 }
 
-typedef struct {
-  SizeAt size;
-  void *ctx;
-  double scale;
-} ScaledSize;
-
-static double scaled_size(void *ctx, Vec2 p)
-{
-  const ScaledSize *s = ctx;
-  return s->scale * s->size(s->ctx, p);
-}
-
 static bool is_lattice(const TriRefineParams *p)
 {
   return p->algorithm == REFINE_FRONT_QUAD || p->algorithm == REFINE_PACK;
@@ -76,7 +64,7 @@ static void attempt(Refiner *r, VertId given, double scale)
   ScaledSize size = {p->size, p->size_ctx, scale};
   double *wanted = scale != 1 ? copied(r->size, given) : NULL;
   if (scale != 1) {
-    if (p->size) scaled.size = scaled_size, scaled.size_ctx = &size;
+    if (p->size) scaled.size = size_scaled, scaled.size_ctx = &size;
     for (VertId v = 0; v < given; v++) {
       r->size[v] *= scale;
       if (r->carried) r->carried[v] *= scale;
