@@ -17,7 +17,9 @@ typedef struct {
 // Front edges wait in stacks by the size of their triangle, largest first: fronts then leave the finest places first, where a
 // dislocation costs least, and one front outruns the others where the size is uniform, so that one lattice fills the face.
 // The first layer along the segments goes before the rest, so that every boundary has triangles aligned with it.
-enum { NKEYS = 704, HEAD_START = 64 }; // 16 keys to the octave of the squared size
+// Triangles 16 times as large as they may be, and larger, are all alike: before the open middle of a face the latest edge goes first, and
+// rows are laid one beside the other. Largest first jumps between the places where the largest empty circle touches the front.
+enum { ALIKE = 128, HEAD_START = 64, NKEYS = ALIKE + 1 + HEAD_START }; // 16 keys to the octave of the squared size
 
 typedef struct {
   Refiner *r;
@@ -51,7 +53,7 @@ static void push(Front *f, EdgeId e, double x)
 {
   const Tri *m = f->r->m;
   FrontEdge edge = {e, tri_org(m, e), tri_dest(m, e)};
-  int k = refine__key(x, 19, NKEYS - HEAD_START);
+  int k = refine__key(x, 19, ALIKE + 1);
   if (tri_is_segment(m, e)) k += HEAD_START;
   vec_push(&f->stack[k], edge);
   if (k > f->top) f->top = k;
