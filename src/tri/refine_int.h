@@ -47,6 +47,7 @@ typedef struct {
   double *carried;  // by vertex: size carried from the boundary; NULL where only the callback counts
   uint32_t cap_v;   // entries of the two
   size_t max_vertices;
+  double expected;  // triangles, from refine__reserve
   uint64_t ticks;
 
   // For the optimization, by vertex.
@@ -66,7 +67,8 @@ typedef struct {
 // ---- tri_refine.c
 // Sizes of the vertices of the empty mesh; arrays that refine__release frees.
 void refine__initial_sizes(Refiner *r);
-// Room for the triangles that these let expect, so that growing arrays need not be copied; only what is used of it costs memory.
+// Estimate the number of triangles from these, and make room for them, so that growing arrays need not be copied; only what is used of
+// it costs memory.
 void refine__reserve(Refiner *r);
 // Size wanted at p, which lies in (or near) triangle t; *carried gets the interpolated boundary size if that is in use.
 double refine__size_at(Refiner *r, const double *p, TriId t, double *carried);
@@ -85,7 +87,7 @@ bool refine__go_on(Refiner *r);
 // ---- strategies
 // The limit at which the efficiency index is highest.
 #define REFINE_LIMIT_SIZE 1.36
-// Refine triangles whose adimensional size, sqrt(3) R / h, is above the limit.
+// Refine triangles whose adimensional size, sqrt(3) R / h, is above the limit; those flagged as small are within it.
 void refine__delaunay(Refiner *r, double limit);
 // Square of the adimensional size of t over that of the limit; by the sizes at its corners and, where these say it is small, inside.
 double refine__excess2(const Refiner *r, double limit, TriId t);

@@ -97,7 +97,7 @@ void refine__delaunay(Refiner *r, double limit)
   Queue q = {.r = r, .limit = limit, .top = -1};
   uint32_t n = m->nt;
   for (TriId t = 0; t < n; t++)
-    if (tri_is_inside(m, t)) consider(&q, t);
+    if (!(m->flag[t] & REFINE_SMALL) && tri_is_inside(m, t)) consider(&q, t);
   TriId t;
   while ((t = take(&q)) != NONE && refine__go_on(r)) {
     const uint32_t *v = m->vert + 3 * (size_t)t;
