@@ -53,7 +53,7 @@ typedef struct {
   // For the optimization, by vertex.
   bool *fixed;      // not to move: given, on a segment, or isolated
   uint8_t *awake;   // its star is worth a visit
-  int16_t *excess;  // edges more than six; 0 on segments
+  int16_t *excess;  // edges more than six; 0 where fixed
   bool keep_sizes;  // a vertex that moves keeps its size: for trials, which the size field would make slow
   double floor;     // 1/kappa_4^2 that a triangle may rise to while its star gets better
   double worst;     // 1/kappa_4^2 of the worst triangle before the optimization
