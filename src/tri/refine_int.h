@@ -39,6 +39,9 @@ static inline int refine__key(double x, int shift, int nkeys)
   return k < (uint32_t)nkeys ? (int)k : nkeys - 1;
 }
 
+// Triangles of a face called large: its mesh is out of the caches, and the order of insertions minds that.
+#define REFINE_LARGE 2e5
+
 typedef struct {
   Tri *m;
   const TriRefineParams *p;

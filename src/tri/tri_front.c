@@ -21,7 +21,6 @@ typedef struct {
 // goes first, and rows are laid one beside the other. Largest first jumps between the places where the largest empty circle touches
 // the front, which are out of the caches then.
 enum { NKEYS = 704, ALIKE = 129, HEAD_START = 64 }; // 16 keys to the octave of the squared size
-#define LARGE_FACE 2e5 // triangles
 
 typedef struct {
   Refiner *r;
@@ -137,7 +136,7 @@ static void start(Front *f)
 
 void refine__frontal(Refiner *r)
 {
-  Front f = {.r = r, .nkeys = r->expected > LARGE_FACE ? ALIKE : NKEYS - HEAD_START, .top = -1};
+  Front f = {.r = r, .nkeys = r->expected > REFINE_LARGE ? ALIKE : NKEYS - HEAD_START, .top = -1};
   start(&f);
   EdgeId e;
   while ((e = take(&f)) != NONE && refine__go_on(r)) {

@@ -4,7 +4,7 @@
 #include "geom/hilbert.h"
 #include "tri/refine_int.h"
 
-// Where the next array goes that is put in order. Its old block takes the place, so that few fresh pages are needed.
+// Memory that arrays pass through. Fresh pages are dear: half-edges change places with it, the rest is copied there and back.
 typedef struct {
   void *block;
   size_t bytes;
@@ -20,15 +20,12 @@ static void *spare_block(Spare *s, size_t bytes)
   return s->block;
 }
 
-// Entries first .. end-1 of *x become those of order[0 .. end-first), in memory for cap entries.
-static void permute_doubles(double **x, Spare *spare, const uint32_t *order, VertId first, VertId end, size_t cap, size_t width)
+// Entries first .. end-1 of x become those of order[0 .. end-first); it has n.
+static void permute_doubles(double *x, size_t n, Spare *spare, const uint32_t *order, VertId first, VertId end, size_t width)
 {
-  double *to = spare_block(spare, cap * width * sizeof *to), *from = *x;
-  memcpy(to, from, width * first * sizeof *to);
+  const double *from = memcpy(spare_block(spare, n * width * sizeof *x), x, n * width * sizeof *x);
   for (VertId k = first; k < end; k++)
-    for (size_t i = 0; i < width; i++) to[width * k + i] = from[width * order[k - first] + i];
-  *x = to;
-  *spare = (Spare){from, cap * width * sizeof *from};
+    for (size_t i = 0; i < width; i++) x[width * k + i] = from[width * order[k - first] + i];
 }
 
 // place[t]: where triangle t goes: by the least rank of its vertices, triangles of equal rank as they stand; what is not
@@ -72,17 +69,20 @@ static void move_twins(Tri *m, Spare *spare, const uint32_t *place)
   *spare = (Spare){from, 3 * (size_t)m->cap_t * sizeof *from};
 }
 
-// Few edges are segments: what lies between is not touched.
-static void move_segments(Tri *m, const uint32_t *place)
+// Few edges are segments: pairs of their half-edges and ids.
+static void take_segments(const Tri *m, U32Vec *list)
 {
-  U32Vec moved = {0}; // half-edge, id
-  for (TriId t = 0; t < m->nt; t++) {
-    if (!(m->flag[t] & (TRI_SEG_0 * 7)) || tri_is_free(m, t)) continue;
-    for (uint32_t i = 0; i < 3; i++)
-      if (tri_is_segment(m, 3 * t + i)) vec_push(&moved, 3 * place[t] + i), vec_push(&moved, m->seg[3 * (size_t)t + i]);
+  for (TriId t = 0; t < m->nt; t++)
+    for (EdgeId e = 3 * t; !tri_is_free(m, t) && e < 3 * t + 3; e++)
+      if (tri_is_segment(m, e)) vec_push(list, e), vec_push(list, m->seg[e]);
+}
+
+static void put_segments(Tri *m, const U32Vec *list, const uint32_t *place)
+{
+  for (size_t i = 0; i < list->len; i += 2) {
+    EdgeId e = list->data[i];
+    m->seg[3 * place[tri_of(e)] + e % 3] = list->data[i + 1];
   }
-  for (size_t i = 0; i < moved.len; i += 2) m->seg[moved.data[i]] = moved.data[i + 1];
-  vec_free(&moved);
 }
 
 // Triangle t goes to place[t], vertex v gets the number rank[v].
@@ -90,7 +90,6 @@ static void move_triangles(Tri *m, Spare *spare, const uint32_t *place, const ui
 {
   move_corners(m, spare, place, rank);
   move_twins(m, spare, place);
-  if (m->seg) move_segments(m, place);
   uint32_t *copy = spare_block(spare, m->nt * sizeof *copy);
   if (m->region) {
     memcpy(copy, m->region, m->nt * sizeof *copy);
@@ -129,20 +128,31 @@ void refine__renumber(Refiner *r, VertId first)
   Tri *m = r->m;
   if (m->nv == first) return;
   size_t n = m->nv;
+  U32Vec segments = {0};
   Spare spare = {0};
+  if (m->seg) { // its memory will do until the end
+    take_segments(m, &segments);
+    spare = (Spare){m->seg, 3 * (size_t)m->cap_t * sizeof *m->seg};
+  }
   uint32_t *curve = mem_alloc(n * sizeof *curve), *rank = mem_alloc(n * sizeof *rank);
   uint32_t *place = mem_alloc(m->nt * sizeof *place);
-  hilbert_sort(m->xy, n, curve, NULL, spare_block(&spare, MAX(2 * n * sizeof(uint64_t), 3 * (size_t)m->cap_t * sizeof *place)), 1);
+  hilbert_sort(m->xy, n, curve, NULL, spare_block(&spare, 2 * n * sizeof(uint64_t)), 1);
   for (VertId k = 0; k < n; k++) rank[curve[k]] = k;
   place_triangles(m, rank, spare_block(&spare, (n + 2) * sizeof *place), place);
   VertId next = number_vertices(r, first, curve, curve, rank);
   move_triangles(m, &spare, place, rank);
-  permute_doubles(&m->xy, &spare, curve, first, next, m->cap_v, 2);
-  permute_doubles(&r->size, &spare, curve, first, next, r->cap_v, 1);
-  if (r->carried) permute_doubles(&r->carried, &spare, curve, first, next, r->cap_v, 1);
+  permute_doubles(m->xy, n, &spare, curve, first, next, 2);
+  permute_doubles(r->size, n, &spare, curve, first, next, 1);
+  if (r->carried) permute_doubles(r->carried, n, &spare, curve, first, next, 1);
+  if (m->seg) {
+    m->seg = spare_block(&spare, 3 * (size_t)m->cap_t * sizeof *m->seg);
+    put_segments(m, &segments, place);
+    spare.block = NULL;
+  }
   m->nv = next;
   free(m->hint);
   m->hint = NULL;
+  vec_free(&segments);
   free(curve), free(rank), free(place), free(spare.block);
 }
 
