@@ -127,9 +127,14 @@ static double where_to_split(const MinAngle *q, VertId u, VertId v, double len)
   return au ? shell : 1 - shell;
 }
 
-static void added_vertex(MinAngle *q, VertId v, double lfs, VertId from, VertId to)
+// Are sizes of vertices to be told at the end, some of them carried from the boundary? Conformity is there before any.
+static bool wants_sizes(const MinAngle *q) { return q->r->size && q->r->p->sizes_out; }
+static bool carries_sizes(const MinAngle *q) { return wants_sizes(q) && q->r->carried; }
+
+static void added_vertex(MinAngle *q, VertId v, double lfs, double carried, VertId from, VertId to)
 {
   CHECK(v == q->lfs.len);
+  if (wants_sizes(q)) refine__size_vertex(q->r, v, carried);
   vec_push(&q->lfs, lfs);
   vec_push(&q->from, from), vec_push(&q->to, to);
 }
@@ -189,8 +194,9 @@ static bool split_segment(MinAngle *q, EdgeId e)
   VertId own[2];
   input_ends(q, u, v, own);
   double lfs = feature_at(q, (double[]){p.x, p.y}, own);
+  double carried = carries_sizes(q) ? (1 - at) * q->r->carried[u] + at * q->r->carried[v] : 0;
   VertId w = tri_commit(m, &q->c);
-  added_vertex(q, w, lfs, own[0], own[1]);
+  added_vertex(q, w, lfs, carried, own[0], own[1]);
   q->r->stats->split++;
   if (q->r->p->placed) q->r->p->placed(q->r->p->split_ctx, u, v, w);
   consider_new(q);
@@ -325,7 +331,8 @@ static bool improve(MinAngle *q, TriId t)
   if (yield_to_segments(q, p, &split)) return split > 0;
   double lfs = feature_at(q, p, NULL);
   if (too_near(q, p, lfs)) return false;
-  added_vertex(q, tri_commit(m, &q->c), lfs, NONE, NONE);
+  double carried = carries_sizes(q) ? refine__linear(m, q->r->carried, at, p) : 0;
+  added_vertex(q, tri_commit(m, &q->c), lfs, carried, NONE, NONE);
   q->r->stats->inserted++;
   consider_new(q);
   return true;

@@ -102,6 +102,13 @@ double refine__size_at(Refiner *r, const double *p, TriId t, double *carried)
   return h;
 }
 
+void refine__size_vertex(Refiner *r, VertId v, double carried)
+{
+  sizes_for_vertices(r);
+  if (r->carried) r->carried[v] = carried;
+  r->size[v] = fmin(r->carried ? carried : INFINITY, r->p->size ? ask_size(r, tri_xy(r->m, v)) : INFINITY);
+}
+
 double refine__size_inside(const Refiner *r, TriId t)
 {
   const uint32_t *v = r->m->vert + 3 * (size_t)t;

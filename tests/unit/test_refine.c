@@ -447,6 +447,15 @@ static bool at_sharp_angle(const Domain *d, const Vec2 *t)
   return false;
 }
 
+// Sizes at all vertices, those carried into the domain between the least and the largest at the `given` ones.
+static void check_carried(const double *size, VertId given, VertId all)
+{
+  double least = INFINITY, most = 0;
+  for (VertId v = 0; v < given; v++) least = fmin(least, size[v]), most = fmax(most, size[v]);
+  for (VertId v = given; v < all; v++)
+    if (!(size[v] >= (1 - 1e-9) * least && size[v] <= (1 + 1e-9) * most)) fail_msg("size %g outside [%g, %g]", size[v], least, most);
+}
+
 static void test_angles_are_guaranteed(void **state)
 {
   (void)state;
@@ -458,8 +467,12 @@ static void test_angles_are_guaranteed(void **state)
     empty_mesh(&d, &m);
     double area = area_inside(&m);
     TriRefineParams p = tri_refine_defaults();
-    p.algorithm = REFINE_EMPTY, p.min_angle = k % 2 ? 30 : 25;
+    double *size = NULL;
+    p.algorithm = REFINE_EMPTY, p.min_angle = k % 2 ? 30 : 25, p.sizes_out = &size;
+    VertId given = m.nv;
     TriRefineStats s = tri_refine(&m, &p);
+    check_carried(size, given, m.nv);
+    free(size);
     assert_int_equal(s.outcome, REFINE_DONE);
     assert_int_equal(tri_check(&m, TRI_CHECK_ALL, NULL), 0);
     assert_true(fabs(area_inside(&m) - area) <= 1e-9 * area);
