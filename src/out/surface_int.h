@@ -1,0 +1,21 @@
+// surface_int.h - what OFF, OBJ, PLY and STL share: lines of points and faces, faces that are read
+// SPDX-License-Identifier: MIT
+#ifndef OUT_SURFACE_INT_H
+#define OUT_SURFACE_INT_H
+
+#include "out/import.h"
+#include "out/out_int.h"
+
+// A line "x y z" for each node of the selection, after the prefix.
+void surface__write_points(Writer *w, const Selection *s, const char *prefix);
+// A line "3 a b c" or "4 a b c d" for each element of a block, nodes counted from base; with a prefix, that stands for the count.
+void surface__write_faces(Writer *w, const Selection *s, const MeshBlock *k, const char *prefix, uint64_t base);
+// The first group of a block's entity, or NULL.
+const MeshGroup *surface__group(const Selection *s, const MeshBlock *k);
+
+// Begin a face of so many corners, as import_element does; an error where that is no triangle or quadrangle.
+void surface__begin_face(Import *im, int64_t corners, int entity, int group);
+// The next line that is neither empty nor a comment; false at the end of the file.
+bool surface__next_line(Scan *s, const char **from, const char **to);
+
+#endif
