@@ -3,7 +3,7 @@
 #ifndef CLI_REPORT_H
 #define CLI_REPORT_H
 
-#include "cli/pipeline.h"
+#include "cli/job.h"
 
 // Of what --json prints (docs/report.md). Grows when a program that reads it would have to change.
 enum { REPORT_VERSION = 2 };

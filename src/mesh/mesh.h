@@ -104,7 +104,7 @@ MeshPeriodic *mesh_add_periodic(Mesh *m, int dim, int tag, int master); // valid
 uint32_t mesh_find_entity(const Mesh *m, int dim, int tag); // index or NONE; O(log n)
 const MeshGroup *mesh_find_group(const Mesh *m, int dim, int tag);
 size_t mesh_count(const Mesh *m, int dim);                  // elements of a dimension
-size_t mesh_count_type(const Mesh *m, ElemType t);
+size_t mesh_count_corners(const Mesh *m, int corners);      // of any order: 3 triangles, 4 quadrangles
 // True if some entity, a volume included, is in a physical group: then only elements of such entities are saved, unless all are asked for.
 bool mesh_is_grouped(const Mesh *m);
 static inline Vec3 mesh_xyz(const Mesh *m, uint32_t n)
