@@ -46,7 +46,7 @@ typedef struct {
 
 static inline double size_scaled(void *ctx, Vec2 p)
 {
-  const ScaledSize *s = ctx;
+  const ScaledSize *s = (const ScaledSize *)ctx;
   return s->factor * s->size(s->ctx, p);
 }
 
