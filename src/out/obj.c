@@ -9,7 +9,7 @@
 void obj__write(Writer *w, const Selection *s, const OutOptions *o)
 {
   (void)o;
-  surface__write_points(w, s, "v ");
+  select__write_points(w, s, "v ");
   for (size_t i = 0; i < s->nblock; i++) {
     const MeshBlock *k = &s->mesh->block[s->block[i]];
     const MeshGroup *g = surface__group(s, k);

@@ -10,7 +10,7 @@ void off__write(Writer *w, const Selection *s, const OutOptions *o)
 {
   (void)o;
   writer_printf(w, "OFF\n%zu %zu 0\n", s->nnode, s->nelem);
-  surface__write_points(w, s, "");
+  select__write_points(w, s, "");
   for (size_t i = 0; i < s->nblock; i++) surface__write_faces(w, s, &s->mesh->block[s->block[i]], NULL, 0);
 }
 

@@ -12,7 +12,7 @@ void ply__write(Writer *w, const Selection *s, const OutOptions *o)
                 "element face %zu\nproperty list uchar int vertex_indices\nend_header\n",
                 o->binary ? "binary_little_endian" : "ascii", s->nnode, s->nelem);
   if (!o->binary) {
-    surface__write_points(w, s, "");
+    select__write_points(w, s, "");
     for (size_t i = 0; i < s->nblock; i++) surface__write_faces(w, s, &s->mesh->block[s->block[i]], NULL, 0);
     return;
   }

@@ -15,25 +15,6 @@ const char *surface__refuses(const Selection *s)
 }
 
 // ---- writing --------------------------------------------------------------------------------------------------------------------
-// Points with a prefix on each line.
-typedef struct {
-  const Selection *s;
-  const char *prefix;
-} PointItems;
-
-static char *put_points(char *p, const void *ctx, size_t from, size_t to)
-{
-  const PointItems *t = ctx;
-  size_t n = strlen(t->prefix);
-  for (size_t k = from; k < to; k++) p = put_char(put_xyz((char *)memcpy(p, t->prefix, n) + n, select__xyz(t->s, k)), '\n');
-  return p;
-}
-
-void surface__write_points(Writer *w, const Selection *s, const char *prefix)
-{
-  writer_items(w, s->nnode, 4 * NUMBER_MAX_TEXT, put_points, &(PointItems){s, prefix});
-}
-
 typedef struct {
   const Selection *s;
   const MeshBlock *block;
@@ -46,10 +27,9 @@ static char *put_faces(char *p, const void *ctx, size_t from, size_t to)
   const FaceItems *t = ctx;
   size_t n = (size_t)elem_corners(t->block->type);
   const uint32_t *node = t->block->node + from * n;
-  for (size_t i = from; i < to; i++) {
+  for (size_t i = from; i < to; i++, node += n) {
     p = t->prefix ? put_char(p, t->prefix[0]) : put_u64(p, n);
-    for (size_t a = 0; a < n; a++) p = put_u64(put_char(p, ' '), t->s->number[*node++] + t->base);
-    p = put_char(p, '\n');
+    p = put_char(put_node_numbers(p, t->s, node, NULL, n, t->base), '\n');
   }
   return p;
 }

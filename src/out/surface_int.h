@@ -6,8 +6,6 @@
 #include "out/import.h"
 #include "out/out_int.h"
 
-// A line "x y z" for each node of the selection, after the prefix.
-void surface__write_points(Writer *w, const Selection *s, const char *prefix);
 // A line "3 a b c" or "4 a b c d" for each element of a block, nodes counted from base; with a prefix, that stands for the count.
 void surface__write_faces(Writer *w, const Selection *s, const MeshBlock *k, const char *prefix, uint64_t base);
 // The first group of a block's entity, or NULL.
