@@ -209,7 +209,7 @@ static bool fill(const Sweeping *s, FaceMesh *out)
       }
     }
   bool quads = s->f->layers.recombine || s->f->recombine || s->in->options->Mesh_RecombineAll;
-  face_mesh_from_grid(out, nu, nv, id, flip ? ARRANGE_LEFT : ARRANGE_RIGHT, fan, s->mirror != flip, quads);
+  face_mesh_from_grid(out, &(GridCells){nu, nv, id, flip ? ARRANGE_LEFT : ARRANGE_RIGHT, fan, s->mirror != flip}, quads);
   free(id);
   return true;
 }

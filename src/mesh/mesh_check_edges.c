@@ -52,14 +52,15 @@ static void gather_lines(Check *c, uint8_t *on_line)
       bool added;
       uint32_t *slot = map_slot(&c->line, map_pair(v[0], v[1]), (uint32_t)c->line_block.len, &added);
       if (v[0] == v[1])
-        check__report(c, RULE_DEGENERATE, false, k->entity, b, i, v[0], mesh_xyz(m, v[0]), "both ends are node %llu",
-                      number_of(c, v[0]));
+        check__report(c, RULE_DEGENERATE, false, (Place){k->entity, b, i, v[0], mesh_xyz(m, v[0])},
+                      "both ends are node %llu", number_of(c, v[0]));
       else if (!added && may_share(c, listed, k->entity, line_curve(c, *slot))) {
         if (listed[k->entity]) *slot = (uint32_t)c->line_block.len;
       } else if (!added)
-        check__report(c, RULE_DUPLICATE_ELEMENT, !c->strict && k->entity != line_curve(c, *slot), k->entity, b, i, NONE, middle(m, v[0], v[1]),
-                      "curve %d has a line between nodes %llu and %llu too", m->entity[line_curve(c, *slot)].tag, number_of(c, v[0]),
-                      number_of(c, v[1]));
+        check__report(c, RULE_DUPLICATE_ELEMENT, !c->strict && k->entity != line_curve(c, *slot),
+                      (Place){k->entity, b, i, NONE, middle(m, v[0], v[1])},
+                      "curve %d has a line between nodes %llu and %llu too",
+                      m->entity[line_curve(c, *slot)].tag, number_of(c, v[0]), number_of(c, v[1]));
       vec_push(&c->line_block, b);
       vec_push(&c->line_index, (uint32_t)i);
       on_line[v[0]] = on_line[v[1]] = 1;
@@ -137,9 +138,11 @@ static void check_bad_edges(Check *c)
         uint32_t *slot = map_slot(&element, corner_key(k, i), (uint32_t)seen.len, &added);
         const HalfEdge *other = added ? NULL : &seen.data[*slot];
         if (other && same_corners(k, i, &m->block[other->block], other->element))
-          check__report(c, RULE_DUPLICATE_ELEMENT, false, k->entity, b, i, NONE, middle(m, k->node[i * (size_t)elem_nodes(k->type)],
-                        k->node[i * (size_t)elem_nodes(k->type) + 1]), "element %zu has the same corners",
-                        c->number[other->block] + other->element + 1);
+          check__report(c, RULE_DUPLICATE_ELEMENT, false,
+                        (Place){k->entity, b, i, NONE,
+                                middle(m, k->node[i * (size_t)elem_nodes(k->type)],
+                                       k->node[i * (size_t)elem_nodes(k->type) + 1])},
+                        "element %zu has the same corners", c->number[other->block] + other->element + 1);
         if (added) vec_push(&seen, ((HalfEdge){.block = b, .element = i}));
       }
       for (size_t a = 0; a < corners; a++) {
@@ -147,9 +150,10 @@ static void check_bad_edges(Check *c)
         HalfEdge e = mesh_edges_at(&c->edges, m, h + a);
         map_slot(&edge, map_pair(e.a, e.b), 0, &added);
         if (added)
-          check__report(c, RULE_EDGE, false, k->entity, b, i, NONE, middle(m, e.a, e.b),
-                        "edge of nodes %llu and %llu has more than two elements, or two that run it the same way",
-                        number_of(c, e.a), number_of(c, e.b));
+          check__report(
+              c, RULE_EDGE, false, (Place){k->entity, b, i, NONE, middle(m, e.a, e.b)},
+              "edge of nodes %llu and %llu has more than two elements, or two that run it the same way",
+              number_of(c, e.a), number_of(c, e.b));
       }
     }
   }
@@ -251,9 +255,11 @@ static void check_lost(Check *c, EdgeScan *s)
       n = count_of(&wanted, wanted.data[k]);
       size_t has = count_of(&s->use, (uint64_t)l << 32 | face);
       if (has < n)
-        check__report(c, RULE_LOST_EDGE, false, curve, c->line_block.data[l], c->line_index.data[l], NONE, middle(m, v[0], v[1]),
-                      "it is an edge of %zu elements of face %d, not of %zu: nodes %llu and %llu", has, m->entity[face].tag, n,
-                      number_of(c, v[0]), number_of(c, v[1]));
+        check__report(
+            c, RULE_LOST_EDGE, false,
+            (Place){curve, c->line_block.data[l], c->line_index.data[l], NONE, middle(m, v[0], v[1])},
+            "it is an edge of %zu elements of face %d, not of %zu: nodes %llu and %llu", has,
+            m->entity[face].tag, n, number_of(c, v[0]), number_of(c, v[1]));
     }
     if (listed || c->strict || c->edges.n == 0) continue; // curves that no face lists are known to be free
     size_t lo = 0, up = s->use.len; // any use of this line at all?
@@ -265,9 +271,10 @@ static void check_lost(Check *c, EdgeScan *s)
     if (free_line && !marked) mark_surface_nodes(c);
     marked |= free_line;
     if (free_line && c->used[v[0]] == 2 && c->used[v[1]] == 2)
-      check__report(c, RULE_LOST_EDGE, true, curve, c->line_block.data[l], c->line_index.data[l], NONE,
-                    middle(m, v[0], v[1]), "it is no edge of a surface element: nodes %llu and %llu",
-                    number_of(c, v[0]), number_of(c, v[1]));
+      check__report(c, RULE_LOST_EDGE, true,
+                    (Place){curve, c->line_block.data[l], c->line_index.data[l], NONE, middle(m, v[0], v[1])},
+                    "it is no edge of a surface element: nodes %llu and %llu", number_of(c, v[0]),
+                    number_of(c, v[1]));
   }
   vec_free(&wanted);
 }
@@ -308,11 +315,11 @@ static void check_holes(Check *c, const EdgeScan *s)
     uint32_t face = m->block[e.block].entity, line = map_get(&c->line, s->boundary.data[i]);
     if (!closed[face]) continue;
     if (line == NONE)
-      check__report(c, RULE_HOLE, false, face, e.block, e.element, NONE, middle(m, e.a, e.b),
-                    "nothing is beyond the edge of nodes %llu and %llu, which is on no curve", number_of(c, e.a),
-                    number_of(c, e.b));
+      check__report(c, RULE_HOLE, false, (Place){face, e.block, e.element, NONE, middle(m, e.a, e.b)},
+                    "nothing is beyond the edge of nodes %llu and %llu, which is on no curve",
+                    number_of(c, e.a), number_of(c, e.b));
     else if (!bounds(&m->entity[face], m->entity[line_curve(c, line)].tag))
-      check__report(c, RULE_HOLE, false, face, e.block, e.element, NONE, middle(m, e.a, e.b),
+      check__report(c, RULE_HOLE, false, (Place){face, e.block, e.element, NONE, middle(m, e.a, e.b)},
                     "it ends at curve %d, which does not bound it", m->entity[line_curve(c, line)].tag);
   }
   free(closed);
@@ -426,8 +433,10 @@ static void report_junctions(Check *c, JunctionVec *found)
   for (size_t i = 0; i < found->len; i++) {
     const Junction *j = &found->data[i];
     bool apart = j->line && !j->inside;
-    check__report(c, RULE_T_JUNCTION, apart, c->m->block[j->edge.block].entity, j->edge.block, j->edge.element, j->node,
-                  mesh_xyz(c->m, j->node), "node %llu%s lies within the edge of nodes %llu and %llu", number_of(c, j->node),
+    check__report(c, RULE_T_JUNCTION, apart,
+                  (Place){c->m->block[j->edge.block].entity, j->edge.block, j->edge.element, j->node,
+                          mesh_xyz(c->m, j->node)},
+                  "node %llu%s lies within the edge of nodes %llu and %llu", number_of(c, j->node),
                   apart ? ", not joined to it," : "", number_of(c, j->edge.a), number_of(c, j->edge.b));
   }
 }

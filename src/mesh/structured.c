@@ -78,15 +78,14 @@ bool face_mesh_valid(const FaceMesh *fm, const Face *f, const EdgeNodes *en)
   return elements_valid(fm, f, en, fm->tri, fm->ntri, 3) && elements_valid(fm, f, en, fm->quad, fm->nquad, 4);
 }
 
-void face_mesh_from_grid(FaceMesh *out, size_t nu, size_t nv, const uint32_t *id, TransfiniteArrangement how, bool fan, bool mirror,
-                         bool quads)
+void face_mesh_from_grid(FaceMesh *out, const GridCells *g, bool quads)
 {
-  out->tri = mem_alloc((quads ? 3 * nv * fan : 6 * nu * nv) * sizeof *out->tri);
+  out->tri = mem_alloc((quads ? 3 * g->nv * g->fan : 6 * g->nu * g->nv) * sizeof *out->tri);
   if (quads) {
-    out->quad = mem_alloc(4 * nu * nv * sizeof *out->quad);
-    out->nquad = grid_quads(nu, nv, id, fan, mirror, out->tri, &out->ntri, out->quad);
+    out->quad = mem_alloc(4 * g->nu * g->nv * sizeof *out->quad);
+    out->nquad = grid_quads(g, out->tri, &out->ntri, out->quad);
   } else {
-    out->ntri = grid_triangles(nu, nv, id, how, fan, mirror, out->tri);
+    out->ntri = grid_triangles(g, out->tri);
   }
 }
 
@@ -355,7 +354,7 @@ static bool fill_grid(const Patch *p, FaceMesh *out)
   interpolate(p, node);
   grid_smooth(p->nu, p->nv, node, smoothing_passes(p));
   store_nodes(p, node, out->own);
-  face_mesh_from_grid(out, p->nu, p->nv, id, p->f->arrangement, p->ncorner == 3, p->mirror, wants_quads(p));
+  face_mesh_from_grid(out, &(GridCells){p->nu, p->nv, id, p->f->arrangement, p->ncorner == 3, p->mirror}, wants_quads(p));
   free(id);
   if (!p->f->planar || face_mesh_valid(out, p->f, p->en) || (p->ncorner == 4 && unfold(p, out))) return true;
   face_mesh_free(out);

@@ -5,6 +5,7 @@
 
 #include "base/base.h"
 #include "mesh/edge_nodes.h"
+#include "mesh/grid.h"
 #include "mesh/mesh2d.h"
 
 // A face marked transfinite, from the nodes on its boundary: a grid between 3 or 4 corners. Places as Gmsh 4.8 has them: Coons
@@ -30,9 +31,8 @@ typedef struct {
 bool face_loop_make(FaceLoop *l, const Mesh2dInput *in, const Face *f, const EdgeNodes *en, bool params);
 void face_loop_free(FaceLoop *l);
 
-// Turn a grid into the mesh of a face: id[] has (nu+1)(nv+1) node ids, own nodes are numbered already. Allocates the elements.
-void face_mesh_from_grid(FaceMesh *out, size_t nu, size_t nv, const uint32_t *id, TransfiniteArrangement how, bool fan, bool mirror,
-                         bool quads);
+// Turn a grid into the mesh of a face; its own nodes are numbered already. Allocates the elements.
+void face_mesh_from_grid(FaceMesh *out, const GridCells *g, bool quads);
 // Does every element of a plane face have a positive orientation (quadrangles at every corner)? Exact.
 bool face_mesh_valid(const FaceMesh *fm, const Face *f, const EdgeNodes *en);
 

@@ -271,11 +271,7 @@ static void copy_shapes(Boolean *b)
 // How to mesh a face stays with it when nothing happened to it but new numbers.
 static void copy_attributes(Face *to, const Face *from)
 {
-  to->recombine = from->recombine;
-  to->recombine_angle = from->recombine_angle;
-  to->algorithm = from->algorithm;
-  to->size_from_boundary = from->size_from_boundary;
-  to->smoother = from->smoother;
+  face__copy_meshing(to, from);
   to->reverse_mesh = from->reverse_mesh;
 }
 

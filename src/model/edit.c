@@ -79,6 +79,15 @@ void face__count_uses(Model *m, const Face *f, int delta)
   }
 }
 
+void face__copy_meshing(Face *to, const Face *from)
+{
+  to->recombine = from->recombine;
+  to->recombine_angle = from->recombine_angle;
+  to->algorithm = from->algorithm;
+  to->size_from_boundary = from->size_from_boundary;
+  to->smoother = from->smoother;
+}
+
 Face *face__make(Model *m, int tag, FaceType type, const int *loop, int nloop, SrcLoc loc)
 {
   Face *f = table__add(&m->face, tag);

@@ -139,6 +139,7 @@ Curve *curve__make(Model *m, int tag, CurveType type, const int *point, int npoi
 int loop__make_open(Model *m, const int *curve, int ncurve, SrcLoc loc); // curves in any order, not sorted yet
 int loop__make_hidden(Model *m, const int *curve, int ncurve, SrcLoc loc);
 Face *face__make(Model *m, int tag, FaceType type, const int *loop, int nloop, SrcLoc loc);
+void face__copy_meshing(Face *to, const Face *from); // how to mesh, but for a structured mesh and a turned one
 Volume *volume__make(Model *m, int tag, const int *face, int nface, SrcLoc loc);
 void curve__drop(Model *m, int tag); // remove, with its uses of points
 void face__drop(Model *m, int tag);  // remove, with its uses of curves

@@ -297,11 +297,7 @@ int model__copy_face(Model *m, int signed_tag, SrcLoc loc)
   if (m->set.copy_meshing) {
     g->transfinite = f->transfinite && !f->ncorner;
     g->arrangement = f->arrangement;
-    g->recombine = f->recombine;
-    g->recombine_angle = f->recombine_angle;
-    g->smoother = f->smoother;
-    g->algorithm = f->algorithm;
-    g->size_from_boundary = f->size_from_boundary;
+    face__copy_meshing(g, f);
   }
   vec_free(&curve);
   vec_free(&start);

@@ -6,15 +6,22 @@
 
 #include "out/msh_read_int.h"
 
+// A count, which is text in binary files, too.
+static int64_t read_count(Scan *s, const char *what)
+{
+  bool binary = s->binary;
+  s->binary = false;
+  int64_t count = scan_i64(s, what);
+  scan_line(s);
+  s->binary = binary;
+  return count;
+}
+
 void msh2_read__nodes(Reader *r, bool parametric)
 {
   Scan *s = r->s;
   bool binary = s->binary;
-  s->binary = false;
-  int64_t count = scan_i64(s, "the number of nodes");
-  scan_line(s);
-  s->binary = binary;
-  size_t n = scan_count(s, count, binary ? 28 : 8, "nodes");
+  size_t n = scan_count(s, read_count(s, "the number of nodes"), binary ? 28 : 8, "nodes");
   import_reserve_nodes(&r->im, n);
   for (size_t i = 0; i < n && !s->failed; i++) {
     int64_t tag = binary ? scan_b32(s, "a node number") : scan_i64(s, "a node number");
@@ -115,13 +122,8 @@ static void read_binary_elements(Reader *r, size_t n)
 void msh2_read__elements(Reader *r)
 {
   Scan *s = r->s;
-  bool binary = s->binary;
-  s->binary = false;
-  int64_t count = scan_i64(s, "the number of elements");
-  scan_line(s);
-  s->binary = binary;
-  size_t n = scan_count(s, count, 8, "elements");
-  if (binary)
+  size_t n = scan_count(s, read_count(s, "the number of elements"), 8, "elements");
+  if (s->binary)
     read_binary_elements(r, n);
   else
     for (size_t i = 0; i < n && !s->failed; i++) read_ascii_element(r);
