@@ -156,9 +156,10 @@ run-fuzz: $(LIB)
 	$(Q)sh tests/fuzz/run.sh "$(CC) $(CFLAGS_ALL) -fsanitize=fuzzer" "$(LIB) -lstdc++ $(LIBS)" $(B) $(FUZZ_SECONDS)
 
 .PHONY: check-layers check-headers style metrics coverage
-## check-layers: which folder includes which, against the table of docs/architecture.md
+## check-layers: which folder includes which, against the table of docs/architecture.md; do comments and documents name what is there
 check-layers:
 	$(Q)sh tests/check-layers.sh
+	$(Q)python3 tests/check_comments.py
 
 ## check-headers: every header compiles alone as C, and the public ones as C++, which oracles and benches are written in
 check-headers:

@@ -40,9 +40,9 @@ void diag_merge(Diag *parent, Diag *child);
 
 void diag_set_level(Diag *d, int level); // of the -v scale; what is counted and kept does not depend on it
 int diag_level(const Diag *d);
-void diag_set_color(Diag *d, bool on);
+void diag_set_color(Diag *d, bool on);   // of what is printed
 void diag_set_log(Diag *d, FILE *f);     // copy without colours of all that is printed; not owned; NULL for none
-void diag_set_warnings_are_errors(Diag *d, bool on);
+void diag_set_warnings_are_errors(Diag *d, bool on); // from now on
 
 // Make a source text known, for carets. `text` is not copied and must outlive d. `from` is the place of
 // the Include/Merge that named it, or NO_LOC. Returns the file index for SrcLoc (0 is reserved for "no file").
@@ -58,6 +58,7 @@ void diag_note(Diag *d, SrcLoc loc, const char *fmt, ...) PRINTF_LIKE(3, 4);
 void diag_push_frame(Diag *d, const char *what, SrcLoc at);
 void diag_pop_frame(Diag *d);
 
+// How many there were, those not printed included.
 int diag_errors(const Diag *d);
 int diag_warnings(const Diag *d);
 enum { DIAG_MAX_ERRORS = 20, DIAG_MAX_WARNINGS = 100 };

@@ -39,7 +39,7 @@ double quad_mesh_size(const QuadMesh *m, uint32_t v, Vec2 p);
 static inline size_t quad_mesh_elements(const QuadMesh *m) { return m->vertex.len / 4; }
 static inline bool quad_mesh_is_quad(const QuadMesh *m, size_t e) { return m->vertex.data[4 * e + 3] != NONE; }
 static inline uint32_t quad_mesh_corners(const QuadMesh *m, size_t e) { return quad_mesh_is_quad(m, e) ? 4 : 3; }
-size_t quad_mesh_triangles(const QuadMesh *m);
+size_t quad_mesh_triangles(const QuadMesh *m); // of the elements; O(n)
 
 // For each side 4e+i of each element the side 4f+j of its neighbour, or NONE; sides of more than two elements get NONE.
 // twin has 4 entries an element; the caller frees it. O(n).

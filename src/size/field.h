@@ -11,7 +11,7 @@
 
 typedef struct FieldSet FieldSet;
 
-FieldSet *fields_new(void);
+FieldSet *fields_new(void);    // without fields; owned by the caller
 void fields_free(FieldSet *f); // NULL is fine
 
 // ---- fields -------------------------------------------------------------------------------------------------------
@@ -29,7 +29,7 @@ void fields_clear(FieldSet *f); // Delete All / Delete Model: fields and backgro
 // all fields.
 void fields_add_parts(FieldSet *f, int dim, int tag, const int *part, size_t n);
 
-bool field_exists(const FieldSet *f, int id);
+bool field_exists(const FieldSet *f, int id); // O(log n)
 int fields_max_id(const FieldSet *f); // 0 if there is none; newf is one more
 
 // Reading back, defaults included, by current or old name. Unknown id or option: NULL, NAN, or an empty list.

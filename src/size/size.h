@@ -27,6 +27,7 @@ typedef struct SizeEval SizeEval;
 SizeField *size_new(const Model *model, const Options *options, const FieldSet *fields, Diag *diag);
 void size_free(SizeField *s); // NULL is fine
 
+// What one thread needs to evaluate s, which must outlive it: several may evaluate the same s at once.
 SizeEval *size_eval_new(const SizeField *s);
 void size_eval_free(SizeEval *e);
 

@@ -23,6 +23,8 @@ if command -v fish >/dev/null; then
   [ "$complete" = -clscale ] && ok "fish completes" || not_ok "fish completes" "$complete"
 fi
 
+check "comments and documents name what is there" "$PYTHON" "$ROOT/tests/check_comments.py"
+
 # run every block marked ```sh of a document, in a folder of its own with the models at hand
 mkdir bin && ln -s "$MESHGEN" bin/meshgen
 PATH=$work/bin:$PATH
