@@ -184,9 +184,17 @@ coverage:
 	$(Q)CONFIG=cov tests/run.sh quick
 	$(Q)gcovr -r . --object-directory build/cov src 2>/dev/null | tail -40
 
-## pictures: the pictures of the documents
+## pictures: the pictures of README and of docs/examples.md and docs/tutorial.md anew, by their own commands
 .PHONY: pictures
+PICTURES := $(CURDIR)/$(B)/pictures
 pictures: all
+	$(Q)rm -rf $(PICTURES) && mkdir -p $(PICTURES)/bin && ln -s $(CURDIR)/$(PROGRAM) $(PICTURES)/bin/meshgen
+	$(Q)for d in examples tutorial; do \
+	  mkdir $(PICTURES)/$$d && ln -s $(CURDIR)/geo $(PICTURES)/$$d/geo && \
+	  awk '/^```sh$$/ { on = 1; next } /^```/ { on = 0 } on' docs/$$d.md >$(PICTURES)/$$d/block.sh && \
+	  (cd $(PICTURES)/$$d && PATH=$(PICTURES)/bin:$$PATH bash -eu block.sh >said.txt 2>&1) || exit 1; done
+	$(Q)cp $(PICTURES)/examples/*.png docs/pictures
+	$(Q)for p in bracket fine quads change; do cp $(PICTURES)/tutorial/$$p.png docs/pictures/tutorial_$$p.png; done
 	./meshgen -2 geo/conge.geo -v 2 -no_report -o docs/conge.png
 
 ## man: rewrite the generated part of meshgen.1 from the tables
