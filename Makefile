@@ -24,7 +24,7 @@ Q := $(if $(filter 1,$(V)),,@)
 B := build/$(CONFIG)
 
 OPT_release := -O3 -g1 -DNDEBUG
-OPT_debug := -O0 -g -DCHECK_LEVEL=2
+OPT_debug := -O0 -g -DCHECK_LEVEL=1
 OPT_asan := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined -DCHECK_LEVEL=1
 OPT_stress := -O1 -g -DSTRESS -DCHECK_LEVEL=3
 OPT_cov := -O0 -g --coverage -DCHECK_LEVEL=1

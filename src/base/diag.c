@@ -289,7 +289,7 @@ void log_debug(Diag *d, const char *fmt, ...)
   va_end(ap);
 }
 
-bool log_progress_wanted(const Diag *d)
+static bool progress_wanted(const Diag *d)
 {
   return d->print && !d->stream && d->level >= LOG_DEFAULT && isatty(2);
 }
@@ -298,7 +298,7 @@ void log_progress_end(Diag *d) { end_progress(d); }
 
 void log_progress(Diag *d, const char *stage, double done, double all, const char *what, double began)
 {
-  if (!log_progress_wanted(d)) return;
+  if (!progress_wanted(d)) return;
   double now = time_wall(), spent = now - began;
   if (spent < 0.5 || now - d->last_progress < 0.1) return;
   d->last_progress = now;

@@ -78,7 +78,5 @@ void log_debug(Diag *d, const char *fmt, ...) PRINTF_LIKE(2, 3);
 // first after half a second.
 void log_progress(Diag *d, const char *stage, double done, double all, const char *what, double began);
 void log_progress_end(Diag *d);
-// Would log_progress draw anything?
-bool log_progress_wanted(const Diag *d);
 
 #endif

@@ -39,13 +39,6 @@ static void keys_of_block(const uint32_t *restrict x, const uint32_t *restrict y
   for (int level = LEVELS - 1; level >= 0; level--) next_level(x, y, level, u, c, key);
 }
 
-uint32_t hilbert_key(uint32_t x, uint32_t y)
-{
-  uint32_t xs[BLOCK] = {x}, ys[BLOCK] = {y}, key[BLOCK];
-  keys_of_block(xs, ys, key);
-  return key[0];
-}
-
 // An item to sort: key in the upper half, index of the point in the lower.
 typedef struct {
   const double *xy;

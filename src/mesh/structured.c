@@ -9,6 +9,15 @@
 #include "mesh/grid.h"
 
 // ---- the boundary --------------------------------------------------------------------------------------------------
+// The closed boundary of a face of one loop: node ids in order, and their parameters on its filling.
+typedef struct {
+  U32Vec node;
+  Vec(Vec2) param;  // empty unless asked for and the filling has four curves
+  size_t ncurve;
+  U32Vec curve_at;  // position where each curve begins
+  bool first_backwards; // the loop runs its first curve against its sense
+} FaceLoop;
+
 static void push_curve(FaceLoop *l, const Mesh2dInput *in, const EdgeNodes *en, const Filling *s, int tag)
 {
   size_t k = mesh1d_index(in->curves, tag), side = l->ncurve++;
@@ -21,7 +30,8 @@ static void push_curve(FaceLoop *l, const Mesh2dInput *in, const EdgeNodes *en, 
   }
 }
 
-bool face_loop_make(FaceLoop *l, const Mesh2dInput *in, const Face *f, const EdgeNodes *en, bool params)
+// False if the face has more than one closed loop. Free with face_loop_free.
+static bool face_loop_make(FaceLoop *l, const Mesh2dInput *in, const Face *f, const EdgeNodes *en, bool params)
 {
   *l = (FaceLoop){0};
   Filling s;
@@ -37,7 +47,7 @@ bool face_loop_make(FaceLoop *l, const Mesh2dInput *in, const Face *f, const Edg
   return good;
 }
 
-void face_loop_free(FaceLoop *l)
+static void face_loop_free(FaceLoop *l)
 {
   vec_free(&l->node);
   vec_free(&l->param);

@@ -77,8 +77,6 @@ int model_group_edit(Model *m, int dim, int tag, const char *name, GroupOp op, c
 // Members of a group, `Physical Curve{3}` as a list or in a list of shapes; false if there is no such group.
 bool model_group_members(const Model *m, int dim, int tag, IntVec *out);
 void model_delete_groups(Model *m);                       // Delete Physicals
-void model_set_name(Model *m, int dim, int tag, const char *name); // SetName / elementary names, kept for the writers
-const char *model_name(const Model *m, int dim, int tag); // NULL if none
 
 // ---- transforms ---------------------------------------------------------------------------------------------------------
 typedef struct {

@@ -69,23 +69,17 @@ typedef struct {
   int tag, begin, end;      // its own ends
 } JoinedCurve;
 
-typedef struct {
-  int dim, tag;
-  char *name;
-} EntityName;
-
 // Loops of faces that no script named (copies, extrusions) have tags from here on; they count for no maximum.
 enum { HIDDEN_LOOP = 1 << 30 };
 
 struct Model {
   ModelSettings set;
   const PolarSphere *sphere; // in whose plane points are given now; in the arena
-  Arena arena;              // control points, knots, loops, names
+  Arena arena;              // control points, knots, loops
   Table point, curve, loop, hidden, face, surface_loop, volume;
   int max[KIND_COUNT];
   Vec(Group *) group[4];    // by dim, ascending tags
   Names group_name;         // "dim name" -> tag
-  Vec(EntityName) name;
   Map refused;              // kind << 32 | tag of what was reported and not made
   int ncompound[3];
   // coherence: what changed since it last ran, and the indexes of the rest

@@ -96,7 +96,6 @@ void quad_recombine(QuadMesh *m, const QuadParams *p, QuadReport *report);
 void quad_match_greedy(QuadMesh *m, double angle);
 void quad_match_blossom(QuadMesh *m, QuadReport *report);
 void quad_repair(QuadMesh *m, QuadReport *report);   // bring leftover triangles of one part together in pairs
-void quad_split_all(QuadMesh *m, const QuadParams *p);
 // Put a smaller quad and four around it in the place of each quad that is not convex or worse than min_eta, where that gives five
 // that are clearly better than it was and not worse than `better`; returns how many.
 size_t quad_fill_bad(QuadMesh *m, double min_eta, double better);

@@ -36,14 +36,11 @@ bool eval_is_text(Script *s, const Node *n)
   }
 }
 
+// Only groups have names.
 static const char *entity_name(Script *s, const Node *n)
 {
   int dim = n->op, tag = eval_int(s, n->kid[0]->n ? n->kid[0]->kid[0] : n->kid[0]);
-  if (!(n->flags & LIST_PHYSICAL)) {
-    const char *name = model_name(s->model, dim, tag);
-    return name ? name : "";
-  }
-  const Group *g = model_group(s->model, dim, tag);
+  const Group *g = n->flags & LIST_PHYSICAL ? model_group(s->model, dim, tag) : NULL;
   return g && g->name ? g->name : "";
 }
 

@@ -62,7 +62,6 @@ bool size_eval_warn(SizeEval *e, Diag *diag);
 
 bool size_has_field(const SizeField *s);  // a background field or view
 double size_diagonal(const SizeField *s); // D
-double size_factor(const SizeField *s);   // MeshSizeFactor
 // Whether Mesh.SizeGradation limits sizes, and its slope alpha - 1; else 0 (curves then use SmoothRatio).
 double size_gradation(const SizeField *s);
 
