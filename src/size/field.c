@@ -18,24 +18,9 @@
 #define LIST(name, old, help) {name, old, FIELD_LIST, 0, "", help},
 #define END };
 #include "size/field.def"
-#undef FIELD
-#undef NUM
-#undef INT
-#undef BOOL
-#undef STRING
-#undef PATH
-#undef LIST
-#undef END
 
 static const FieldType types[] = {
 #define FIELD(kind, name, old, help) {name, old, options_##kind, (int)ARRAY_LEN(options_##kind), help},
-#define NUM(name, old, def, help)
-#define INT(name, old, def, help)
-#define BOOL(name, old, def, help)
-#define STRING(name, old, text, help)
-#define PATH(name, old, help)
-#define LIST(name, old, help)
-#define END
 #include "size/field.def"
 };
 
