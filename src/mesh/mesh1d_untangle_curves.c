@@ -55,7 +55,8 @@ static void report_crossing(Untangler *t, const Curve *a, const Curve *b, Vec3 a
 // If curve ka is embedded in a face that kb bounds, that is what to say.
 static bool report_leaving(Untangler *t, uint32_t ka, uint32_t kb, Vec3 at)
 {
-  if (untangle__lists_meet(&t->bounds_of[ka], &t->bounds_of[kb]) || !untangle__lists_meet(&t->faces_of[ka], &t->bounds_of[kb])) return false;
+  if (untangle__lists_meet(&t->bounds_of[ka], &t->bounds_of[kb])) return false;
+  if (!untangle__lists_meet(&t->faces_of[ka], &t->bounds_of[kb])) return false;
   if (t->reported++ >= UNTANGLE_MOST_REPORTED) return true;
   const Model *m = t->g->model;
   const Curve *a = model_curve_at(m, ka), *b = model_curve_at(m, kb);

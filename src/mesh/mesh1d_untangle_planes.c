@@ -108,5 +108,6 @@ bool untangle__may_split(const Untangler *t, uint32_t a, uint32_t b, SegMeet how
   if (t->opt->Mesh_Heal) return true;
   if (how == SEG_OVERLAP) return false;
   if (untangle__lists_meet(&t->bounds_of[a], &t->bounds_of[b])) return false;
-  return how == SEG_TOUCH || !(untangle__lists_meet(&t->bounds_of[a], &t->faces_of[b]) || untangle__lists_meet(&t->faces_of[a], &t->bounds_of[b]));
+  if (how == SEG_TOUCH) return true;
+  return !untangle__lists_meet(&t->bounds_of[a], &t->faces_of[b]) && !untangle__lists_meet(&t->faces_of[a], &t->bounds_of[b]);
 }
