@@ -76,7 +76,7 @@ static void read_ascii_element(Reader *r)
     set_part(r, tag, ntags);
   }
   if (s->failed) return;
-  if (msh_read__volume_nodes(type)) {
+  if (msh_read__is_volume(type)) {
     scan_line(s);
     r->im.volumes++;
     return;
@@ -107,7 +107,7 @@ static void read_binary_elements(Reader *r, size_t n)
         if (k < 4) tag[k] = t;
       }
       set_part(r, tag, ntags);
-      if (msh_read__volume_nodes(type)) {
+      if (msh_read__is_volume(type)) {
         scan_bytes(s, 4 * (size_t)nodes, "an element");
         r->im.volumes++;
         continue;

@@ -166,7 +166,7 @@ static void read_element_block(Reader *r, const BlockHead *h)
 {
   Scan *s = r->s;
   int nodes = msh_read__nodes(r, h->kind);
-  bool wide = r->version == 410, volume = msh_read__volume_nodes(h->kind) != 0;
+  bool wide = r->version == 410, volume = msh_read__is_volume(h->kind);
   size_t size = (wide ? 8 : 4) * (1 + (size_t)nodes); // of an element in binary
   if (s->failed) return;
   if (!volume && elem_dim((ElemType)h->kind) != h->dim) {

@@ -6,7 +6,8 @@
 
 #include "out/msh_read_int.h"
 
-int msh_read__volume_nodes(int type)
+// Nodes of the types of dimension 3; 0 for others.
+static int volume_nodes(int type)
 {
   static const uint8_t n[][2] = {{4, 4}, {5, 8}, {6, 6}, {7, 5}, {11, 10}, {12, 27}, {13, 18}, {14, 14}, {17, 20}, {18, 15},
                                  {19, 13}, {29, 20}, {30, 35}, {31, 56}, {92, 64}, {93, 125}, {90, 40}, {91, 75}, {118, 30}, {119, 55}};
@@ -18,7 +19,7 @@ int msh_read__volume_nodes(int type)
 int msh_read__nodes(Reader *r, int type)
 {
   int n = elem_nodes((ElemType)type);
-  if (!n) n = msh_read__volume_nodes(type);
+  if (!n) n = volume_nodes(type);
   if (!n) scan_error(r->s, "element type %d is not known here", type);
   return n;
 }

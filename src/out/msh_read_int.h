@@ -63,10 +63,10 @@ static inline void get_tags(Reader *r, IntVec *to, bool keep, const char *what)
   }
 }
 
-// Nodes of an element type of dimension 3, which are skipped; 0 for others (msh_read.c).
-int msh_read__volume_nodes(int type);
-// Nodes of any element type, or 0 after an error.
+// Nodes of any element type, or 0 after an error (msh_read.c).
 int msh_read__nodes(Reader *r, int type);
+// Is a type that has nodes one of dimension 3, which are skipped?
+static inline bool msh_read__is_volume(int type) { return !elem_nodes((ElemType)type); }
 
 // Sections $Nodes, $NOD or $ParametricNodes, and $Elements or $ELM, of MSH 1 and 2 (msh2_read.c).
 void msh2_read__nodes(Reader *r, bool parametric);

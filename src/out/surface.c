@@ -14,7 +14,6 @@ const char *surface__refuses(const Selection *s)
   return NULL;
 }
 
-// ---- writing --------------------------------------------------------------------------------------------------------------------
 typedef struct {
   const Selection *s;
   const MeshBlock *block;
@@ -43,20 +42,4 @@ const MeshGroup *surface__group(const Selection *s, const MeshBlock *k)
 {
   const MeshEntity *e = &s->mesh->entity[k->entity];
   return e->physical.len ? mesh_find_group(s->mesh, e->dim, abs(e->physical.data[0])) : NULL;
-}
-
-// ---- reading ----------------------------------------------------------------------------------------------------------------------
-void surface__begin_face(Import *im, int64_t corners, int entity, int group)
-{
-  if (corners != 3 && corners != 4)
-    scan_error(im->s, "a face of %lld corners (3 and 4 are read)", (long long)corners);
-  else
-    import_element(im, corners == 3 ? ELEM_TRI3 : ELEM_QUAD4, entity, group);
-}
-
-bool surface__next_line(Scan *s, const char **from, const char **to)
-{
-  while (scan_get_line(s, from, to))
-    if (*from < *to && **from != '#') return true;
-  return false;
 }
