@@ -24,9 +24,9 @@ static void push_curve(FaceLoop *l, const Mesh2dInput *in, const EdgeNodes *en, 
   const CurveMesh *cm = &in->curves->curve[k];
   vec_push(&l->curve_at, (uint32_t)l->node.len);
   for (size_t i = 0; i + 1 < cm->n; i++) {
-    size_t at = tag > 0 ? i : cm->n - 1 - i;
+    size_t at = tag >= 0 ? i : cm->n - 1 - i;
     vec_push(&l->node, edge_nodes_at(en, in->model, in->curves, k, at));
-    if (s) vec_push(&l->param, filling_side(s, (int)side, tag > 0 ? cm->u[at] : 1 - cm->u[at]));
+    if (s) vec_push(&l->param, filling_side(s, (int)side, tag >= 0 ? cm->u[at] : 1 - cm->u[at]));
   }
 }
 

@@ -18,7 +18,7 @@ static int point_of(BooleanApply *a, uint32_t node)
   Boolean *b = a->b;
   if (!a->point[node]) {
     int tag = model__next_tag(b->m, KIND_POINT);
-    point__make(b->m, tag, face_from_plane(b->input.data[0].face, b->a.node.data[node]), a->lc[node], b->loc);
+    point__make(b->m, tag, face_from_plane(&b->frame, b->a.node.data[node]), a->lc[node], b->loc);
     a->point[node] = tag;
   }
   return a->point[node];
@@ -28,7 +28,8 @@ static int new_curve(BooleanApply *a, const Run *r)
 {
   Boolean *b = a->b;
   Model *m = b->m;
-  int pair[2] = {point_of(a, r->from), point_of(a, r->to)}, tag = model__next_tag(m, KIND_CURVE);
+  int pair[2] = {point_of(a, r->from), point_of(a, r->to)}, tag = MAX(model__next_tag(m, KIND_CURVE), a->most_own + 1);
+  if (a->own[r->curve]) tag = a->own[r->curve];
   const ArrCurve *k = &b->curve[r->curve];
   if (k->kind == ARR_SPLINE) {
     const Pieces *p = b->spline[r->curve];
@@ -172,6 +173,10 @@ static void renew_curve(BooleanApply *a, size_t source, ShapeVec *gone)
   if (c->uses || a->keep_curve[source]) return;
   a->anew[source] = true;
   vec_push(gone, ((Shape){1, tag}));
+  if (a->b->bounds.data[source].len || a->b->pieces[source].len != 1) return;
+  if (boolean__run_of(a->b, a->b->pieces[source].data[0]).curve != source) return;
+  a->own[source] = tag; // a cutting curve in one piece
+  a->most_own = MAX(a->most_own, tag);
 }
 
 // The faces that go, their curves that nothing uses, and what of their points neither. Nodes of the result
@@ -241,7 +246,8 @@ static void remove_idle_points(BooleanApply *a)
 // ---- all
 // ----------------------------------------------------------------------------------------------------------------------
 
-static void output_cutters(BooleanApply *a, ShapeVec *out)
+// The pieces of the cutting curves; all == false: only those that get new numbers.
+static void output_cutters(BooleanApply *a, bool all, ShapeVec *out)
 {
   Boolean *b = a->b;
   for (size_t k = 0; k < b->cutter.len; k++)
@@ -250,8 +256,8 @@ static void output_cutters(BooleanApply *a, ShapeVec *out)
       bool mine = b->source.data[g->curve] == b->cutter.data[k].tag;
       for (size_t i = 0; i < g->also.len && !mine; i++)
         mine = b->source.data[g->also.data[i]] == b->cutter.data[k].tag;
-      if (!mine) continue;
       Run r = boolean__inner_run(b, e);
+      if (!mine || (!all && a->own[r.curve])) continue;
       vec_push(out, ((Shape){1, tag__abs(curve_of(a, &r))}));
     }
 }
@@ -314,7 +320,8 @@ static void make_faces(BooleanApply *a, const Face *old, int asked, ShapeVec *ou
   for (int owned = 0; owned < 2; owned++) {
     for (size_t k = 0; k < b->listing.len; k++)
       if (!kept[k] && (a->owner[k] != NONE) == (owned == 1)) number_runs(a, &b->listing.data[k]);
-    if (!owned) output_cutters(a, &cut);
+    vec_clear(&cut);
+    output_cutters(a, owned == 1, &cut);
   }
   for (int owned = 1; owned >= 0; owned--)
     for (size_t k = 0; k < b->listing.len; k++) {
@@ -340,6 +347,7 @@ static void apply_free(BooleanApply *a)
   free(a->kept);
   free(a->owner);
   free(a->anew);
+  free(a->own);
 }
 
 bool boolean__apply(Boolean *b, int tag, ShapeVec *out)
@@ -353,16 +361,17 @@ bool boolean__apply(Boolean *b, int tag, ShapeVec *out)
                     .same = mem_alloc((b->listing.len + 1) * sizeof(size_t)),
                     .kept = mem_zalloc((b->listing.len + 1) * sizeof(bool)),
                     .owner = mem_alloc((b->listing.len + 1) * sizeof(uint32_t)),
-                    .anew = mem_zalloc(nsource * sizeof(bool))};
-  Face *old = mem_zalloc((b->input.len + 1) * sizeof *old); // the plane of the first outlives it
+                    .anew = mem_zalloc(nsource * sizeof(bool)),
+                    .own = mem_zalloc(nsource * sizeof(int))};
+  Face *old = mem_zalloc((b->input.len + 1) * sizeof *old);
   for (size_t i = 0; i < b->input.len; i++) old[i] = *b->input.data[i].face;
   boolean__plan(&a, tag >= 0);
   copy_shapes(b);
   note_reused(&a);
   remove_inputs(&a);
   forget_points(&a);
-  b->input.data[0].face = old;
   make_faces(&a, old, tag, out);
+  for (size_t v = 0; v < b->a.node.len; v++) vec_push(&b->at_node, a.point[v]);
   remove_idle_points(&a);
   apply_free(&a);
   free(old);

@@ -47,6 +47,9 @@ typedef struct {
   Vec(BooleanInput) input;
   Vec(Cutter) cutter;    // curves among the shapes
   IntVec point;          // points among the shapes
+  Vec(Vec3) place;       // where these are
+  IntVec at_node;        // per node: its point in the end, or 0
+  Face frame;            // the plane of all: origin, normal and axes
   Map index;             // curve tag -> rank in source
   IntVec source;         // tags of all curves
   Vec(U32Vec) bounds;    // per source: ranks of the inputs it bounds, once for each time
@@ -86,6 +89,8 @@ typedef struct {
   bool *kept;       // per listed face: is that input, which stays
   uint32_t *owner;  // per listed face: input whose tag it takes, or NONE
   bool *anew;     // per source: whole, but with a new number
+  int *own;       // per source: its tag, if its only piece takes that though it is made anew; or 0
+  int most_own;   // the largest of these
   Map made;       // curve, from and to of a run -> signed tag of a curve that runs so
   Map reused;     // tags of source curves that stay
   IntVec idle;    // points whose place another took

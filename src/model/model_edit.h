@@ -105,9 +105,12 @@ typedef struct {
 } BooleanSide;
 // Append the faces of the result (and, of curves among the shapes, their pieces). An input that comes out as one face keeps its tag
 // when it is dropped; tag: that of the first new face, or -1. Curves and points are shared by neighbours; those that are whole stay,
-// with their tags. Lines and arcs are cut; splines must not be. Errors leave the model as it was.
+// with their tags. Fragments of curves alone are cut in the same way. Errors leave the model as it was.
 bool model_boolean(Model *m, BooleanOp op, const BooleanSide *object, const BooleanSide *tool, int tag, ShapeVec *out, SrcLoc loc,
                    Diag *diag);
+// Coherence under OpenCASCADE: all faces, or all curves where there is no face, are cut where they meet and share what is common.
+// False, the model as it was: there are volumes, or (with a warning) not all are in one plane.
+bool model_fragment_all(Model *m, SrcLoc loc, Diag *diag);
 
 // ---- extrusion -----------------------------------------------------------------------------------------------------------
 typedef struct {

@@ -145,7 +145,11 @@ static inline int curve__from(const Model *m, int signed_tag)
   const Curve *c = table__get(&m->curve, tag__abs(signed_tag));
   return signed_tag < 0 ? c->end : c->begin;
 }
-static inline int curve__to(const Model *m, int signed_tag) { return curve__from(m, -signed_tag); }
+static inline int curve__to(const Model *m, int signed_tag) // number 0 is a number: it runs forward
+{
+  const Curve *c = table__get(&m->curve, tag__abs(signed_tag));
+  return signed_tag < 0 ? c->begin : c->end;
+}
 
 // coherence.c. Merged: old tag -> surviving signed tag of what a run removed, per dimension 0..2.
 typedef struct {
@@ -212,5 +216,6 @@ void model__join_curves(Model *m, Diag *diag);
 
 // face_plane.c
 bool face__build(Model *m, Face *f, double tolerance, Diag *diag);
+void plane__of_curves(const Model *m, const int *curve, size_t n, Face *frame); // built ones; only the axes of the frame are set
 
 #endif

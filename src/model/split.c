@@ -17,7 +17,7 @@ static int *replaced(Model *m, const int *list, int *n, int tag, const IntVec *p
       out[k++] = list[i];
       continue;
     }
-    for (size_t j = 0; j < part->len; j++) out[k++] = list[i] > 0 ? part->data[j] : -part->data[part->len - 1 - j];
+    for (size_t j = 0; j < part->len; j++) out[k++] = list[i] >= 0 ? part->data[j] : -part->data[part->len - 1 - j];
   }
   *n = size;
   return out;

@@ -61,6 +61,30 @@ BooleanFragments{ Surface{1}; Delete; }{ Surface{2}; Delete; }
 Disk(50) = {1.5,.5,0, .3};
 BooleanDifference{ Surface{:}; Delete; }{ Surface{50}; Delete; }
 Call List_all;
+// curves alone: one that comes out whole keeps its number
+Point(1) = {0,0,0}; Point(2) = {1,0,0}; Point(3) = {.5,-1,0}; Point(4) = {.5,1,0}; Point(5) = {1,0,0}; Point(6) = {2,2,0};
+Line(1) = {1,2}; Line(2) = {3,4}; Line(3) = {5,6};
+BooleanFragments{ Curve{1}; Delete; }{ Curve{2,3}; Delete; }
+Call List_all;
+Circle(1) = {.2,.2,0, .05, -Pi, Pi};
+Point(2) = {.2,.21,0}; Point(3) = {.6,.21,0}; Point(4) = {.6,.19,0}; Point(5) = {.2,.19,0}; Line(2) = {2,3}; Line(3) = {3,4}; Line(4) = {4,5};
+BooleanFragments{ Curve{1}; Delete; }{ Curve{2}; Curve{4}; Delete; }
+Call List_all;
+// a curve that only touches keeps its number, too
+Rectangle(1) = {0,0,0, 1,1}; Point(21) = {1,1,0}; Point(22) = {3,1,0}; Line(20) = {21,22};
+BooleanFragments{ Surface{1}; Delete; }{ Curve{20}; Delete; }
+Call List_all;
+// points among the shapes that are ends of curves
+Rectangle(1) = {0,0,0, 2,2}; Rectangle(2) = {1,1,0, 2,2};
+v() = BooleanFragments{ Surface{:}; Point{:}; Delete; }{ }; Printf("%g shapes", #v());
+Delete All; SetFactory("OpenCASCADE");
+// Coherence: the same with all faces, or all curves
+Rectangle(1) = {0,0,0, 1,1}; Rectangle(2) = {.5,.5,0, 1,1}; Disk(3) = {2,2,0, 1}; Line(20) = {1,3};
+Coherence;
+Call List_all;
+Point(1) = {0,0,0}; Point(2) = {2,0,0}; Point(3) = {1,-1,0}; Point(4) = {1,1,0}; Line(1) = {1,2}; Line(2) = {3,4};
+Coherence;
+Call List_all;
 // expect: f1 [0]6 [1]8 [2]9 [3]7 [4]5
 // expect: c5 30,30 70,70
 // expect: c6 0,0 200,0
@@ -206,4 +230,62 @@ Call List_all;
 // expect: c16 200,100 200,200
 // expect: c17 120,20 180,80
 // expect: p [0]1 [1]2 [2]3 [3]4 [4]5 [5]6 [6]7 [7]8 [8]9 [9]10 [10]11 [11]12 [12]13
+// expect: [delete 0]
+// expect: c3 100,0 200,200
+// expect: c4 0,0 50,0
+// expect: c5 50,0 100,0
+// expect: c6 50,-100 50,0
+// expect: c7 50,0 50,100
+// expect: p [0]1 [1]2 [2]3 [3]4 [4]5 [5]6
+// expect: [delete 0]
+// expect: c3 60,19 60,21
+// expect: c4 15,20 25,25
+// expect: c5 25,19 25,21
+// expect: c6 15,15 25,20
+// expect: c7 20,21 25,21
+// expect: c8 25,21 60,21
+// expect: c9 25,19 60,19
+// expect: c10 20,19 25,19
+// expect: p [0]3 [1]4 [2]5 [3]6 [4]7 [5]8 [6]9
+// expect: [delete 0]
+// expect: f1 [0]21 [1]22 [2]23 [3]24
+// expect: c20 100,100 300,100
+// expect: c21 0,0 100,0
+// expect: c22 100,0 100,100
+// expect: c23 0,100 100,100
+// expect: c24 0,0 0,100
+// expect: p [0]1 [1]2 [2]3 [3]4 [4]5
+// expect: [delete 0]
+// expect: 11 shapes
+// expect: [delete 0]
+// expect: f1 [0]21 [1]26 [2]25 [3]24 [4]23 [5]22
+// expect: f2 [0]24 [1]28 [2]27 [3]23
+// expect: f3 [0]28 [1]27 [2]29 [3]30 [4]31 [5]32 [6]33
+// expect: f4 [0]31 [1]35 [2]34
+// expect: f5 [0]36 [1]37 [2]34 [3]35
+// expect: c20 0,0 100,100
+// expect: c21 0,0 0,100
+// expect: c22 0,100 50,100
+// expect: c23 50,50 50,100
+// expect: c24 50,50 100,50
+// expect: c25 100,0 100,50
+// expect: c26 0,0 100,0
+// expect: c27 50,100 100,100
+// expect: c28 100,50 100,100
+// expect: c29 50,100 50,150
+// expect: c30 50,150 113,150
+// expect: c31 113,113 150,150
+// expect: c32 150,50 150,113
+// expect: c33 100,50 150,50
+// expect: c34 113,150 150,150
+// expect: c35 150,113 150,150
+// expect: c36 150,100 300,200
+// expect: c37 100,150 300,300
+// expect: p [0]1 [1]3 [2]4 [3]5 [4]6 [5]7 [6]8 [7]9 [8]10 [9]11 [10]12 [11]13 [12]14
+// expect: [delete 0]
+// expect: c1 0,0 100,0
+// expect: c2 100,0 200,0
+// expect: c3 100,-100 100,0
+// expect: c4 100,0 100,100
+// expect: p [0]1 [1]2 [2]3 [3]4 [4]5
 // expect: [delete 0]
