@@ -85,6 +85,18 @@ Call List_all;
 Point(1) = {0,0,0}; Point(2) = {2,0,0}; Point(3) = {1,-1,0}; Point(4) = {1,1,0}; Line(1) = {1,2}; Line(2) = {3,4};
 Coherence;
 Call List_all;
+// holes of a face that is split: by where they are
+Disk(1) = {0,0,0, 2}; Disk(2) = {.5,.5,0, .25,.15}; Disk(3) = {-.5,-.5,0, .35,.25}; Disk(4) = {-.5,.5,0, .2,.1}; Rectangle(5) = {.4,-.6,0, .3,.2};
+BooleanFragments{ Surface{1}; Delete; }{ Surface{2:5}; Delete; }
+Call List_all;
+// arcs that miss their ends a little, as points of few digits do: what meets them there meets them in their ends
+Point(1) = {0,0,0}; Point(2) = {40e-3,0,0}; Point(3) = {38.637e-3,10.3528e-3,0}; Point(4) = {34.641e-3,20e-3,0}; Point(5) = {0.05,0.01,0};
+Circle(1) = {2,1,3}; Circle(2) = {3,1,4}; Line(3) = {4,5}; Line(4) = {5,2}; Line(5) = {3,5}; Line(6) = {1,2}; Line(7) = {1,3};
+Coherence;
+c() = Curve{:}; Printf("curves", c());
+Curve Loop(1) = {1,2,3,4}; Plane Surface(1) = {1}; Curve Loop(2) = {6,1,-7}; Plane Surface(2) = {2};
+BooleanFragments{ Surface{1,2}; Delete; }{ Curve{5}; Delete; }
+f() = Surface{:}; Printf("faces", f());
 // expect: f1 [0]6 [1]8 [2]9 [3]7 [4]5
 // expect: c5 30,30 70,70
 // expect: c6 0,0 200,0
@@ -289,3 +301,20 @@ Call List_all;
 // expect: c4 100,0 100,100
 // expect: p [0]1 [1]2 [2]3 [3]4 [4]5
 // expect: [delete 0]
+// expect: f2 [0]8
+// expect: f3 [0]2
+// expect: f4 [0]7
+// expect: f5 [0]3 [1]4 [2]5 [3]6
+// expect: f6 [0]1 [1]2 [2]3 [3]4 [4]5 [5]6 [6]7 [7]8
+// expect: c1 -200,-200 200,200
+// expect: c2 -85,-75 -15,-25
+// expect: c3 40,-60 70,-60
+// expect: c4 70,-60 70,-40
+// expect: c5 40,-40 70,-40
+// expect: c6 40,-60 40,-40
+// expect: c7 -70,40 -30,60
+// expect: c8 25,35 75,65
+// expect: p [0]1 [1]2 [2]3 [3]4 [4]5 [5]6 [6]7 [7]8
+// expect: [delete 0]
+// expect: curves [0]1 [1]2 [2]3 [3]4 [4]5 [5]6 [6]7
+// expect: faces [0]2 [1]3 [2]4
