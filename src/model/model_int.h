@@ -166,6 +166,9 @@ void model__forget_face(Model *m, Face *f);
 void model__index_free(Model *m);
 
 // transform_occ.c: model_transform for OpenCASCADE, of curves and faces that there are.
+// The boundary of a face (of face_boundary) in the order in which OpenCASCADE lists its wires; and hidden loops that remember it.
+void face__wires(const Model *m, const Face *f, const IntVec *curve, const IntVec *start, IntVec *out);
+int *loop__make_parts(Model *m, const IntVec *curve, const IntVec *start, const IntVec *wire, SrcLoc loc); // start->len - 1 of them
 bool transform__opencascade(Model *m, const Shape *shape, size_t n, const Affine *a, Diag *diag);
 
 // extrude_occ.c: model_extrude for OpenCASCADE, of shapes that there are, by a translation or a rotation.

@@ -345,12 +345,16 @@ static int whole_curve(Whole *w, int signed_tag)
 static int whole_face(Whole *w, int tag)
 {
   Model *m = w->m;
-  IntVec curve = {0}, start = {0};
+  IntVec curve = {0}, start = {0}, wire = {0};
   const Face *f = model_face(m, tag);
   face_boundary(m, f, &curve, &start);
+  face__wires(m, f, &curve, &start, &wire);
+  for (size_t i = 0; i < wire.len; i++) wire.data[i] = whole_curve(w, wire.data[i]);
   for (size_t i = 0; i < curve.len; i++) curve.data[i] = whole_curve(w, curve.data[i]);
-  int loop = loop__make_hidden(m, curve.data, (int)curve.len, w->loc), copy = model__next_tag(m, KIND_FACE);
-  face__make(m, copy, f->type, &loop, 1, w->loc);
+  const int *loop = loop__make_parts(m, &curve, &start, &wire, w->loc);
+  int copy = model__next_tag(m, KIND_FACE);
+  face__make(m, copy, f->type, loop, (int)start.len - 1, w->loc);
+  vec_free(&wire);
   vec_free(&curve);
   vec_free(&start);
   return copy;
