@@ -146,6 +146,21 @@ static void find_owners(BooleanApply *a, bool numbered)
   }
 }
 
+// Of shapes that only share an edge, or lie in each other, Gmsh 4.8.4 keeps the pieces under their numbers, beside their union,
+// which later versions number as the first of them.
+static void find_owners_of_union(BooleanApply *a, bool numbered)
+{
+  const Boolean *b = a->b;
+  for (size_t i = 0; i < b->input.len && !numbered && b->op == BOOLEAN_UNION; i++) {
+    uint32_t only = NONE, n = 0;
+    for (uint32_t f = 1; f < b->a.nface; f++)
+      if (boolean__inside(b, f, i)) only = f, n++;
+    if (!b->input.data[i].drop || n != 1) continue;
+    for (size_t k = 0; k < b->listing.len; k++)
+      if (a->owner[k] == NONE && b->piece[only] == boolean__piece_at(b, k)) a->owner[k] = (uint32_t)i;
+  }
+}
+
 // When the last input that a curve bounds goes (1 + rank; 0: never), cutting curves last of all.
 static size_t last_use(const Boolean *b, size_t source)
 {
@@ -189,5 +204,6 @@ void boolean__plan(BooleanApply *a, bool numbered)
   known_points(a);
   find_kept(a, numbered);
   find_owners(a, numbered);
+  find_owners_of_union(a, numbered);
   keep_curves(a);
 }

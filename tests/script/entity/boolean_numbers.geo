@@ -96,7 +96,22 @@ Coherence;
 c() = Curve{:}; Printf("curves", c());
 Curve Loop(1) = {1,2,3,4}; Plane Surface(1) = {1}; Curve Loop(2) = {6,1,-7}; Plane Surface(2) = {2};
 BooleanFragments{ Surface{1,2}; Delete; }{ Curve{5}; Delete; }
-f() = Surface{:}; Printf("faces", f());
+f() = Surface{:}; Printf("faces", f()); Delete All; SetFactory("OpenCASCADE");
+// moves of shapes that share curves, and copies of what Boolean operations made
+Rectangle(1) = {0,0,0, 2,2}; Rectangle(2) = {.5,.5,0, 1,1};
+BooleanDifference{ Surface{1}; Delete; }{ Surface{2}; Delete; }
+Curve Loop(1) = {5,6,7,8}; Plane Surface(2) = {1};
+Rotate {{0,0,1}, {0,0,0}, Pi/2} { Surface{2}; Surface{1}; }
+Translate {9,0,0} { Duplicata{ Surface{1}; } }
+Call List_all;
+Rectangle(1) = {0,0,0, 2,2}; Rectangle(2) = {2,0,0, 1,2};
+Coherence;
+Rotate {{0,0,1}, {0,0,0}, Pi/2} { Surface{1}; Surface{2}; }
+Call List_all;
+// a union of neighbours has the number of the first (here 4.8.4 differs)
+Rectangle(1) = {0,0,0, 1,1}; Rectangle(2) = {1,0,0, 1,1}; Rectangle(3) = {9,9,0, 1,1};
+BooleanUnion{ Surface{1}; Delete; }{ Surface{2}; Delete; }
+f() = Surface{:}; Printf("left", f()); Delete All; SetFactory("OpenCASCADE");
 // expect: f1 [0]6 [1]8 [2]9 [3]7 [4]5
 // expect: c5 30,30 70,70
 // expect: c6 0,0 200,0
@@ -318,3 +333,38 @@ f() = Surface{:}; Printf("faces", f());
 // expect: [delete 0]
 // expect: curves [0]1 [1]2 [2]3 [3]4 [4]5 [5]6 [6]7
 // expect: faces [0]2 [1]3 [2]4
+// expect: [delete 0]
+// expect: f1 [0]17 [1]19 [2]20 [3]18 [4]13 [5]14 [6]15 [7]16
+// expect: f2 [0]13 [1]14 [2]15 [3]16
+// expect: f3 [0]21 [1]23 [2]24 [3]22 [4]25 [5]26 [6]27 [7]28
+// expect: c13 -50,50 -50,150
+// expect: c14 -150,150 -50,150
+// expect: c15 -150,50 -150,150
+// expect: c16 -150,50 -50,50
+// expect: c17 0,0 0,200
+// expect: c18 -200,0 0,0
+// expect: c19 -200,200 0,200
+// expect: c20 -200,0 -200,200
+// expect: c21 900,0 900,200
+// expect: c22 700,0 900,0
+// expect: c23 700,200 900,200
+// expect: c24 700,0 700,200
+// expect: c25 850,50 850,150
+// expect: c26 750,150 850,150
+// expect: c27 750,50 750,150
+// expect: c28 750,50 850,50
+// expect: p [0]13 [1]14 [2]15 [3]16 [4]17 [5]18 [6]19 [7]20 [8]21 [9]22 [10]23 [11]24 [12]25 [13]26 [14]27 [15]28
+// expect: [delete 0]
+// expect: f1 [0]8 [1]9 [2]10 [3]11
+// expect: f2 [0]12 [1]13 [2]14 [3]9
+// expect: c8 0,0 0,200
+// expect: c9 -200,200 0,200
+// expect: c10 -200,0 -200,200
+// expect: c11 -200,0 0,0
+// expect: c12 0,200 0,300
+// expect: c13 -200,300 0,300
+// expect: c14 -200,200 -200,300
+// expect: p [0]7 [1]8 [2]9 [3]10 [4]11 [5]12
+// expect: [delete 0]
+// expect: left [0]1 [1]3
+// expect: [delete 0]
