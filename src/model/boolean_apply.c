@@ -191,8 +191,10 @@ static void remove_inputs(BooleanApply *a)
   for (size_t k = 0; k < b->listing.len; k++)
     if (a->kept[k]) stays[a->same[k]] = true;
   for (size_t i = 0; i < b->input.len; i++)
-    if (b->input.data[i].drop && !stays[i] && !b->input.data[i].face->uses)
+    if (b->input.data[i].drop && !stays[i] && !b->input.data[i].face->uses) {
+      wire__forget(m, b->input.data[i].tag);
       face__drop_whole(m, b->input.data[i].tag);
+    }
   free(stays);
   ShapeVec gone = {0};
   for (size_t i = 0; i < b->source.len; i++) {

@@ -117,6 +117,7 @@ static int sweep_curve(Prism *j, int tag)
     f->extruded_side[1] = end;
     f->extruded_top = top;
     f->layers = j->layers;
+    wire__note(m, face);
   }
   map_set(&j->side[1], (uint64_t)tag, (uint32_t)face);
   return face;
@@ -143,6 +144,7 @@ static int copy_face(Prism *j, int tag, const IntVec *curve, const IntVec *start
     f->copy_map = arena_dup(&m->arena, j->full.m, sizeof j->full.m);
     m->ncopied++;
   }
+  wire__note(m, top);
   vec_free(&loop);
   vec_free(&ring);
   return top;

@@ -41,6 +41,7 @@ static void release_contents(Model *m)
     vec_free(&m->dirty[d]);
   }
   vec_free(&m->pending_loop);
+  vec_free(&m->wire);
   vec_free(&m->moved);
   vec_free(&m->joint);
   map_free(&m->refused);

@@ -72,6 +72,13 @@ typedef struct {
 // Loops of faces that no script named (copies, extrusions) have tags from here on; they count for no maximum.
 enum { HIDDEN_LOOP = 1 << 30 };
 
+typedef struct {
+  int number, face;
+  const int *curve;   // signed, ncurve of them, in the arena
+  const SrcLoc *made; // where each was made: their numbers may be others' later
+  int ncurve;
+} NumberedWire;
+
 struct Model {
   ModelSettings set;
   const PolarSphere *sphere; // in whose plane points are given now; in the arena
@@ -82,6 +89,7 @@ struct Model {
   Names group_name;         // "dim name" -> tag
   Map refused;              // kind << 32 | tag of what was reported and not made
   int ncompound[3];
+  Vec(NumberedWire) wire;           // numbers that OpenCASCADE's shapes gave to their boundaries, ascending
   // coherence: what changed since it last ran, and the indexes of the rest
   IntVec dirty[4];          // tags of points, curves, faces, (volumes)
   IntVec changed_face;      // scratch
@@ -166,6 +174,10 @@ void model__forget_face(Model *m, Face *f);
 void model__index_free(Model *m);
 
 // transform_occ.c: model_transform for OpenCASCADE, of curves and faces that there are.
+// wire.c; all do nothing for the built-in kernel. note: a face gives numbers to its wires.
+void wire__note(Model *m, int face);
+void wire__forget(Model *m, int face);
+int wire__loop(Model *m, int number, SrcLoc loc); // a hidden loop along the wire of this number, or 0
 // The boundary of a face (of face_boundary) in the order in which OpenCASCADE lists its wires; and hidden loops that remember it.
 void face__wires(const Model *m, const Face *f, const IntVec *curve, const IntVec *start, IntVec *out);
 int *loop__make_parts(Model *m, const IntVec *curve, const IntVec *start, const IntVec *wire, SrcLoc loc); // start->len - 1 of them

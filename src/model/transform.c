@@ -354,6 +354,7 @@ static int whole_face(Whole *w, int tag)
   const int *loop = loop__make_parts(m, &curve, &start, &wire, w->loc);
   int copy = model__next_tag(m, KIND_FACE);
   face__make(m, copy, f->type, loop, (int)start.len - 1, w->loc);
+  wire__note(m, copy);
   vec_free(&wire);
   vec_free(&curve);
   vec_free(&start);

@@ -220,6 +220,10 @@ static void bound_face(Mover *v, const MovedFace *f)
   }
   face->loop = loop__make_parts(v->m, &curve, &f->start, &wire, face->loc);
   face->nloop = (int)f->start.len - 1;
+  if (face->wire) {
+    wire__forget(v->m, f->face);
+    wire__note(v->m, f->face);
+  }
   face__count_uses(v->m, face, 1);
   vec_push(&v->m->dirty[2], f->face);
   vec_free(&curve);
