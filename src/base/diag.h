@@ -21,6 +21,7 @@ typedef struct {
   DiagKind kind;
   SrcLoc loc;
   char *text;
+  const char *format; // what it was made of: warnings of one format and place are like each other
 } DiagMessage;
 
 typedef struct Diag Diag;
@@ -61,8 +62,11 @@ void diag_pop_frame(Diag *d);
 // How many there were, those not printed included.
 int diag_errors(const Diag *d);
 int diag_warnings(const Diag *d);
-enum { DIAG_MAX_ERRORS = 20, DIAG_MAX_WARNINGS = 100 };
-// Warnings beyond DIAG_MAX_WARNINGS are counted, neither printed nor kept; one message says so. Children keep all.
+enum { DIAG_MAX_ERRORS = 20, DIAG_MAX_WARNINGS = 100, DIAG_MAX_ALIKE = 3 };
+// Of warnings that are alike (one statement in a loop, one list with many faults) DIAG_MAX_ALIKE are given; the others are counted,
+// and diag_flush says how many they were. Warnings beyond DIAG_MAX_WARNINGS are counted, neither printed nor kept; one message
+// says so. Children keep all.
+void diag_flush(Diag *d);
 // True once DIAG_MAX_ERRORS errors were given: whoever parses should stop. Further errors are counted, not printed.
 bool diag_full(const Diag *d);
 size_t diag_count(const Diag *d);

@@ -259,6 +259,7 @@ ExitCode pipeline_run_one(const Cli *c, const char *input, Diag *diag, int threa
   j.summary = summary;
   ExitCode status = is_mesh_file(input) ? run_mesh_file(&j) : run_geo(&j);
   if (status == EXIT_GOOD && diag_errors(diag)) status = EXIT_INPUT;
+  diag_flush(diag);
   if (status != EXIT_GOOD && c->json && !j.reported) report_failure(&j, status, out);
   job_free(&j);
   return status;
