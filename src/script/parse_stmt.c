@@ -316,6 +316,7 @@ static Node *parse_keyword(Parser *p)
   case KW_Smoother:
   case KW_MeshAlgorithm:
   case KW_MeshSizeFromBoundary:
+  case KW_ReorientMesh:
   case KW_ReverseMesh:
   case KW_RelocateMesh:
   case KW_Degenerated: return parse__mesh_set(p);
