@@ -261,8 +261,10 @@ static bool joins(const Boolean *b, const Run *x, const Run *y)
   return fabs(vec2_cross(s, t)) <= 1e-9 * vec2_length(s) * vec2_length(t) && vec2_dot(s, t) > 0;
 }
 
+// What is made of several runs ends at new points, so that its neighbours change too.
 static void join_runs(const Boolean *b, Outline *o)
 {
+  bool *made = mem_zalloc(o->run.len + 1);
   size_t n = 0;
   for (size_t i = 0; i < o->run.len; i++) {
     if (n && joins(b, &o->run.data[n - 1], &o->run.data[i])) {
@@ -270,6 +272,7 @@ static void join_runs(const Boolean *b, Outline *o)
       r->to = o->run.data[i].to;
       r->u1 = o->run.data[i].u1;
       r->whole = false;
+      made[n - 1] = true;
     } else {
       o->run.data[n++] = o->run.data[i];
     }
@@ -279,9 +282,13 @@ static void join_runs(const Boolean *b, Outline *o)
     r->from = l->from;
     r->u0 = l->u0;
     r->whole = false;
+    made[0] = true;
     n--;
   }
   o->run.len = n;
+  for (size_t i = 0; i < n; i++)
+    if (made[i]) b->merged[o->run.data[i].from] = b->merged[o->run.data[i].to] = true;
+  free(made);
 }
 
 double boolean__run_area(const Boolean *b, uint32_t half) // of chords: only its sign and order of magnitude count

@@ -60,7 +60,7 @@ static int new_curve(BooleanApply *a, const Run *r)
 static int curve_of(BooleanApply *a, const Run *r)
 {
   int source = a->b->source.data[r->curve];
-  if (r->whole && !a->anew[r->curve]) return r->back ? -source : source;
+  if (boolean__reuses(a, r) && !a->anew[r->curve]) return r->back ? -source : source;
   uint32_t known = map_get(&a->made, key_of(r, false));
   if (known != NONE) return (int)known;
   known = map_get(&a->made, key_of(r, true));
@@ -147,12 +147,12 @@ static void note_reused(BooleanApply *a)
   for (size_t k = 0; k < b->outline.len; k++)
     for (size_t i = 0; i < b->outline.data[k].run.len; i++) {
       const Run *r = &b->outline.data[k].run.data[i];
-      if (r->whole) map_set(&a->reused, (uint64_t)b->source.data[r->curve], 1);
+      if (boolean__reuses(a, r)) map_set(&a->reused, (uint64_t)b->source.data[r->curve], 1);
     }
   for (uint32_t e = 0; e < b->a.edge.len && b->op == BOOLEAN_FRAGMENTS;
        e++) { // cutting curves live on by themselves
     const ArrEdge *g = &b->a.edge.data[e];
-    if (g->u0 == 0 && g->u1 == 1) map_set(&a->reused, (uint64_t)b->source.data[g->curve], 1);
+    if (g->u0 == 0 && g->u1 == 1 && !a->fresh[g->from] && !a->fresh[g->to]) map_set(&a->reused, (uint64_t)b->source.data[g->curve], 1);
   }
 }
 
@@ -344,6 +344,7 @@ static void apply_free(BooleanApply *a)
   map_free(&a->reused);
   free(a->point);
   free(a->lc);
+  free(a->fresh);
   free(a->keep_curve);
   free(a->same);
   free(a->kept);
@@ -359,6 +360,7 @@ bool boolean__apply(Boolean *b, int tag, ShapeVec *out)
   BooleanApply a = {.b = b,
                     .point = mem_zalloc(nnode * sizeof(int)),
                     .lc = mem_zalloc(nnode * sizeof(double)),
+                    .fresh = mem_zalloc(nnode * sizeof(bool)),
                     .keep_curve = mem_zalloc(nsource * sizeof(bool)),
                     .same = mem_alloc((b->listing.len + 1) * sizeof(size_t)),
                     .kept = mem_zalloc((b->listing.len + 1) * sizeof(bool)),

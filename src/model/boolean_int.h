@@ -84,6 +84,7 @@ typedef struct {
   Boolean *b;
   int *point;     // per node: tag, or 0
   double *lc;     // per node: size of its point
+  bool *fresh;    // per node: several points meet there and one stays as it is: the result has a point of its own
   bool *keep_curve; // per source: keeps its number though its last input goes
   size_t *same;     // per listed face: input that is it, curve for curve; or SIZE_MAX
   bool *kept;       // per listed face: is that input, which stays
@@ -96,8 +97,9 @@ typedef struct {
   IntVec idle;    // points whose place another took
 } BooleanApply;
 
-// boolean_number.c: what keeps its number. Fills `point`, `idle`, `same`, `kept`, `owner`, `keep_curve`; numbered: a tag was asked for.
+// boolean_number.c: what keeps its number. Fills `point`, `fresh`, `lc` there, `idle`, `same`, `kept`, `owner`, `keep_curve`; numbered: a tag was asked for.
 void boolean__plan(BooleanApply *a, bool numbered);
+bool boolean__reuses(const BooleanApply *a, const Run *r); // may be the source curve itself
 uint32_t boolean__piece_at(const Boolean *b, size_t listed);
 Run boolean__inner_run(const Boolean *b, uint32_t edge);
 bool boolean__is_inner(const Boolean *b, uint32_t edge, uint32_t piece); // one piece on both sides: it lies in its face

@@ -28,16 +28,43 @@ static void replace_point(Model *m, Curve *c, int from, int to)
   vec_push(&m->dirty[1], c->tag);
 }
 
-// The end points of curves stand at nodes. Of several at one node the first listed takes the place of all.
+// Is it of an input that stays as it is?
+static bool belongs_to_kept(const Boolean *b, size_t source)
+{
+  for (size_t k = 0; k < b->bounds.data[source].len; k++)
+    if (!b->input.data[b->bounds.data[source].data[k]].drop) return true;
+  for (size_t k = 0; k < b->cutter.len; k++)
+    if (b->cutter.data[k].tag == b->source.data[source] && !b->cutter.data[k].drop) return true;
+  return false;
+}
+
+static void find_fresh(BooleanApply *a)
+{
+  const Boolean *b = a->b;
+  for (size_t i = 0; i < b->source.len; i++) {
+    if (!belongs_to_kept(b, i)) continue;
+    for (int end = 0; end < 2; end++) {
+      uint32_t v = boolean__node_near(b, end ? b->curve[i].q : b->curve[i].p);
+      if (v != NONE && b->merged[v]) a->fresh[v] = true;
+    }
+  }
+}
+
+// The end points of curves stand at nodes. Of several at one node the first listed takes the place of all, if none stays as it is.
 static void known_points(BooleanApply *a)
 {
   Boolean *b = a->b;
+  find_fresh(a);
   for (size_t i = 0; i < b->source.len; i++) {
     Curve *c = model_curve(b->m, b->source.data[i]);
     for (int end = 0; end < 2; end++) {
       uint32_t v = boolean__node_near(b, end ? b->curve[i].q : b->curve[i].p);
       int tag = end ? c->end : c->begin;
       if (v == NONE || a->point[v] == tag) continue;
+      if (a->fresh[v]) {
+        if (a->lc[v] == 0) a->lc[v] = point__get(b->m, tag)->lc;
+        continue;
+      }
       if (!a->point[v]) {
         a->point[v] = tag;
         continue;
@@ -46,6 +73,11 @@ static void known_points(BooleanApply *a)
       vec_push(&a->idle, tag);
     }
   }
+}
+
+bool boolean__reuses(const BooleanApply *a, const Run *r)
+{
+  return r->whole && !a->fresh[r->from] && !a->fresh[r->to];
 }
 
 // Its outlines are the boundary of the face, curve for curve: nothing happened to it.
@@ -113,6 +145,14 @@ static bool all_intact(const BooleanApply *a, size_t k)
   return good;
 }
 
+static bool all_reused(const BooleanApply *a, size_t k)
+{
+  const Listing *l = &a->b->listing.data[k];
+  bool good = true;
+  for (size_t i = 0; i < l->run.len && good; i++) good = boolean__reuses(a, &l->run.data[i]);
+  return good;
+}
+
 static bool is_untouched(const BooleanApply *a, size_t k)
 {
   const Boolean *b = a->b;
@@ -127,7 +167,7 @@ static void find_kept(BooleanApply *a, bool numbered)
   for (size_t k = 0; k < b->listing.len; k++) {
     a->same[k] = unchanged_input(b, b->listing.data[k].outline);
     if (a->same[k] == SIZE_MAX) continue;
-    a->kept[k] = !numbered && (!b->input.data[a->same[k]].drop || is_untouched(a, k));
+    a->kept[k] = !numbered && (b->input.data[a->same[k]].drop ? is_untouched(a, k) : all_reused(a, k));
     if (all_intact(a, k)) boolean__list_as_input(a->b, k, a->same[k]);
   }
 }

@@ -1,0 +1,14 @@
+// Inputs without Delete stay as they are, to the last point, as in Gmsh. Where they touch, the result has points and curves of its own.
+SetFactory("OpenCASCADE");
+Rectangle(1) = {0,0,0,1,1}; Rectangle(2) = {1,0,0,1,2};
+f() = BooleanUnion{ Surface{1}; }{ Surface{2}; };
+c() = Boundary{ Surface{f()}; }; Printf("union", c());      // expect: union [0]9 [1]10 [2]7 [3]11 [4]3 [5]12
+p() = PointsOf{ Surface{f()}; }; Printf("points", p());     // expect: points [0]3 [1]4 [2]7 [3]8 [4]9 [5]10
+d() = Boundary{ Surface{2}; }; Printf("second", d());       // expect: second [0]5 [1]6 [2]7 [3]8
+q() = PointsOf{ Surface{2}; }; Printf("its points", q());   // expect: its points [0]5 [1]6 [2]7 [3]8
+Delete All; // expect: [delete 0]
+SetFactory("OpenCASCADE");
+Rectangle(1) = {0,0,0,2,2}; Rectangle(2) = {2,0,0,1,1};
+f() = BooleanFragments{ Surface{1}; }{ Surface{2}; Delete; };
+c() = Boundary{ Surface{f()}; }; Printf("fragments", c());  // expect: fragments [0]8 [1]9 [2]10 [3]6 [4]5 [5]6 [6]7 [7]3 [8]4
+d() = Boundary{ Surface{1}; }; Printf("first", d());        // expect: first [0]1 [1]2 [2]3 [3]4
