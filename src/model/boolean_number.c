@@ -158,7 +158,8 @@ static bool is_untouched(const BooleanApply *a, size_t k)
   const Boolean *b = a->b;
   size_t in = 0;
   for (size_t i = 0; i < b->input.len; i++) in += boolean__inside(b, boolean__piece_at(b, k), i);
-  return (in == 1 || (b->op == BOOLEAN_INTERSECTION && b->input.len == 2)) && all_intact(a, k);
+  bool both = b->op == BOOLEAN_INTERSECTION && b->input.len == 2 && b->input.data[0].drop && b->input.data[1].drop;
+  return (in == 1 || both) && all_intact(a, k);
 }
 
 static void find_kept(BooleanApply *a, bool numbered)

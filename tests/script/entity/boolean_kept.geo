@@ -12,3 +12,8 @@ Rectangle(1) = {0,0,0,2,2}; Rectangle(2) = {2,0,0,1,1};
 f() = BooleanFragments{ Surface{1}; }{ Surface{2}; Delete; };
 c() = Boundary{ Surface{f()}; }; Printf("fragments", c());  // expect: fragments [0]8 [1]9 [2]10 [3]6 [4]5 [5]6 [6]7 [7]3 [8]4
 d() = Boundary{ Surface{1}; }; Printf("first", d());        // expect: first [0]1 [1]2 [2]3 [3]4
+Delete All; // expect: [delete 0]
+SetFactory("OpenCASCADE");
+Rectangle(1) = {4,1,0,1,1}; Rectangle(2) = {3,0,0,4,4}; // what is left of the first is no longer it, if the second stays
+f() = BooleanIntersection{ Surface{1}; Delete; }{ Surface{2}; };
+c() = Boundary{ Surface{f()}; }; Printf("left", f(), c());  // expect: left [0]1 [1]9 [2]10 [3]11 [4]12
