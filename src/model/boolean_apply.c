@@ -330,8 +330,10 @@ static void make_faces(BooleanApply *a, const Face *old, int asked, ShapeVec *ou
       if ((kept[k] || a->owner[k] != NONE) != (owned == 1)) continue;
       if (!kept[k]) new_face(a, &b->listing.data[k], tag[k]);
       if (!kept[k] && same[k] != SIZE_MAX) copy_attributes(model_face(b->m, tag[k]), &old[same[k]]);
-      vec_push(out, ((Shape){2, tag[k]}));
     }
+  for (size_t i = 0; i <= b->input.len; i++) // as the inputs that they have their numbers from, the others last
+    for (size_t k = 0; k < b->listing.len; k++)
+      if (a->owner[k] == (i < b->input.len ? (uint32_t)i : NONE)) vec_push(out, ((Shape){2, tag[k]}));
   for (size_t k = 0; k < b->listing.len; k++) embed_inner(a, boolean__piece_at(b, k), tag[k]);
   for (size_t i = 0; i < cut.len; i++) vec_push(out, cut.data[i]);
   vec_free(&cut);

@@ -25,3 +25,7 @@ Curve Loop(3)={11,12,13,-14}; Curve Loop(4)={9}; Plane Surface(1)={3}; Plane Sur
 f() = BooleanDifference{ Surface{1}; Delete;}{ Surface{2}; Delete;}; // and faces are extruded in the order of their curves' numbers
 e() = Extrude {0, 0, 1} { Surface{f()}; }; Printf("extruded", e());  // expect: extruded [0]7 [1]1 [2]2 [3]3 [4]4 [5]5 [6]6
 c() = Boundary{ Surface{3}; }; Printf("side", c()); // expect: side [0]11 [1]17 [2]18 [3]14
+Delete All; // expect: [delete 0]
+SetFactory("OpenCASCADE");
+Rectangle(1)={0,1,0,2,2}; Disk(2)={3.2,2.14,0,1.3}; Disk(3)={0,1,0,1.3};
+f() = BooleanIntersection{ Surface{1}; Delete; }{ Surface{2:3}; Delete; }; Printf("parts", f()); // expect: parts [0]2 [1]3
