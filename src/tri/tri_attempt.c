@@ -3,11 +3,18 @@
 #include "base/base.h"
 #include "tri/tri_polish.h"
 
-// Slots for triangles of a face below which several meshes are polished, and how many; how often polishing is repeated with more weight
-// on what got worse, and by how much more. Measurements of a position for polishing one mesh: about 0.3 ms, and 5 ms in a larger face.
-enum { REPEATED = 300, POLISHED = 4, RAISES = 1, POLISH_WORK = 3000, POLISH_ONCE = 40000 };
+// Slots for triangles of a face below which all its meshes are polished, polishing is brief, several meshes are polished.
+enum { TINY = 60, SMALL = 150, REPEATED = 300 };
+// How many meshes are polished; how often polishing is repeated with more weight on what got worse.
+enum { POLISHED = 4, RAISES = 2 };
+// Positions measured for one mesh: brief, of several, once. 0.1 us each.
+enum { WORK_BRIEF = 3000, WORK_OF_SEVERAL = 14000, WORK_ONCE = 40000 };
+// By how much more weight polishing is repeated.
 #define RAISED 2.5
+// With fewer triangles than this share of the first mesh's, a dip of the size field has been missed.
 #define DIP_MISSED 0.6
+// 1/gamma of the worst triangle: how much above that of the first mesh it may end.
+#define ABOVE_WORST (1 + 1 / 60.)
 
 // What vertices are placed by, in terms of the sizes: with few triangles, chance decides how well they fit.
 static const double scales[] = {1, 0.9, 1.1, 0.95, 1.05, 0.975, 1.025};
@@ -143,40 +150,43 @@ typedef struct {
   PolishedMesh is;
 } Choice;
 
+// A mesh before it is polished: what placed its vertices, and what it costs.
 typedef struct {
   double scale, cost;
+  Other *mesh;
 } Prospect;
 
-// What the mesh made with that scale costs before it is polished. With far fewer triangles than the first has, a dip of the size field
-// has been missed.
-static double raw_cost(const Choice *c, double scale)
+static Prospect prospect(const Choice *c, double scale)
 {
-  if (scale == 1) return polish__cost(&c->goal.reference, &c->goal.reference);
   Other *o = other_mesh(c->r, c->start, c->given, scale);
-  bool missed = o->m.nt < DIP_MISSED * c->r->m->nt;
   refine__field_apply(c->field, &o->r);
   PolishFigures f = polish__figures(&o->r);
-  free_other(o);
-  return missed ? INFINITY : polish__cost(&f, &c->goal.reference);
+  return (Prospect){scale, o->m.nt < DIP_MISSED * c->r->m->nt ? INFINITY : polish__cost(&f, &c->goal.reference), o};
 }
 
-// The scales, the one with the cheapest mesh first.
-static void rank(const Choice *c, Prospect *p)
+// The different meshes that the scales give, the cheapest first. Returns how many.
+static size_t rank(const Choice *c, Prospect *p)
 {
+  size_t n = 0;
   for (size_t i = 0; i < ARRAY_LEN(scales); i++) {
-    Prospect now = {scales[i], raw_cost(c, scales[i])};
-    size_t k = i;
-    for (; k > 0 && p[k - 1].cost > now.cost; k--) p[k] = p[k - 1];
+    Prospect now = prospect(c, scales[i]);
+    size_t k = n;
+    while (k > 0 && p[k - 1].cost > now.cost) k--;
+    if (isinf(now.cost) || (k > 0 && p[k - 1].cost == now.cost)) {
+      free_other(now.mesh);
+      continue;
+    }
+    memmove(p + k + 1, p + k, (n++ - k) * sizeof *p);
     p[k] = now;
   }
+  return n;
 }
 
-// Make the mesh with that scale and polish it; keep it if it is the best.
-static void try_scale(Choice *c, double scale)
+// Polish a mesh, which is handed over; keep it if it is the best.
+static void try_mesh(Choice *c, Other *o, double scale)
 {
-  Other *o = other_mesh(c->r, c->start, c->given, scale);
   PolishedMesh made = refine__polish(&o->r, c->field, &c->goal, false, c->work);
-  if (made.figures.worst <= c->r->worst && (!c->best || made.cost < c->is.cost)) {
+  if (made.figures.worst <= c->goal.bound && (!c->best || made.cost < c->is.cost)) {
     Other *old = c->best;
     c->best = o, c->is = made, c->scale = scale;
     o = old;
@@ -195,16 +205,25 @@ static bool raise_weights(Choice *c)
   return longer || flatter;
 }
 
+static uint64_t work_for(uint32_t slots)
+{
+  return slots < SMALL ? WORK_BRIEF : slots < REPEATED ? WORK_OF_SEVERAL : WORK_ONCE;
+}
+
 static void choose_mesh(Refiner *r, const Tri *start, RefineField *field, VertId given)
 {
-  bool small = r->m->nt < REPEATED;
+  uint32_t slots = r->m->nt;
+  bool small = slots < REPEATED;
   Prospect p[ARRAY_LEN(scales)];
-  Choice c = {.r = r, .start = start, .given = given, .field = field, .work = small ? POLISH_WORK : POLISH_ONCE};
+  Choice c = {.r = r, .start = start, .given = given, .field = field, .work = work_for(slots)};
   refine__field_apply(field, r);
-  c.goal = (PolishGoal){polish__figures(r), r->worst, 1, 1};
-  rank(&c, p);
-  for (int k = 0; k < (small ? POLISHED : 1) && isfinite(p[k].cost); k++) try_scale(&c, p[k].scale);
-  for (int k = 0; small && k < RAISES && c.best && raise_weights(&c); k++) try_scale(&c, c.scale);
+  double bound = fmax(r->worst, fmin(ABOVE_WORST * r->worst, POLISH_TOLERATED));
+  c.goal = (PolishGoal){polish__figures(r), bound, 1, 1};
+  size_t n = rank(&c, p), polished = slots < TINY ? n : MIN(n, small ? POLISHED : (size_t)1);
+  for (size_t k = 0; k < polished; k++) try_mesh(&c, p[k].mesh, p[k].scale);
+  for (size_t k = polished; k < n; k++) free_other(p[k].mesh);
+  for (int k = 0; small && k < RAISES && c.best && raise_weights(&c); k++)
+    try_mesh(&c, other_mesh(r, start, given, c.scale), c.scale);
   if (c.best) {
     take_other(r, c.best);
   } else {

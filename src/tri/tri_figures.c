@@ -38,7 +38,7 @@ PolishFigures polish__figures(const Refiner *r)
     const uint32_t *v = m->vert + 3 * (size_t)t;
     double g = metric_quality(tri_xy(m, v[0]), tri_xy(m, v[1]), tri_xy(m, v[2]));
     vec_push(&gamma, g);
-    sum += g, badness += polish__badness(1 / g, 1);
+    sum += g, badness += polish__badness(1 / g, 1, POLISH_TAIL);
   }
   if (gamma.len) {
     qsort(gamma.data, gamma.len, sizeof *gamma.data, smaller_first);

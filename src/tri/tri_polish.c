@@ -14,7 +14,9 @@ enum { ROUNDS = 8, SWEEPS = 3 };
 // What falls short of the reference: how its weight changes from round to round.
 #define HARDER 1.3
 #define SOFTER 0.9
-#define TOLERATED (1 / 0.7) // 1/kappa_4^2 that any triangle may have, if the mesh had one as bad
+// What MeshAdapt places vertices by at the end: the weight of the tail, and a factor for that of lengths.
+#define LAST_TAIL 4.0
+#define LAST_LENGTHS 3.2
 
 // Cost of a star or a patch, largest 1/kappa_4^2, how far the worst edge is out of [2/3, 4/3].
 typedef struct {
@@ -164,6 +166,8 @@ static Worth settle(Polish *q, double limit)
     refine__trial_flips(s);
   }
   r->floor = floor;
+  for (int k = 0; k < s->ncore; k++) // they have moved with the sizes of where they were
+    if (!r->fixed[s->core[k]]) r->size[s->core[k]] = polish__size(q, s->core[k], tri_xy(r->m, s->core[k]));
   Worth w = patch_worth(q);
   if (w.sum > limit) return w;
   for (int pass = 0; pass < 2; pass++) {
@@ -286,14 +290,21 @@ static size_t improve_edges(Polish *q)
   return n;
 }
 
+// MeshAdapt is the strategy by lengths: at the end, vertices are placed for these first.
+static void favour_lengths(Polish *q)
+{
+  q->tail = LAST_TAIL, q->more_length = LAST_LENGTHS, q->more_gamma = 1;
+  measure(q);
+}
+
 // ---- entry ----------------------------------------------------------------------------------------------------------
 
 PolishedMesh refine__polish(Refiner *r, RefineField *field, const PolishGoal *goal, bool strict, uint64_t budget)
 {
   Polish *q = mem_zalloc(sizeof *q);
   q->r = r, q->field = field, q->goal = goal, q->budget = budget, q->now = 1;
-  q->more_gamma = goal->more_gamma, q->more_length = goal->more_length;
-  q->floor = strict ? fmin(r->worst, TOLERATED) : TOLERATED;
+  q->tail = POLISH_TAIL, q->more_gamma = goal->more_gamma, q->more_length = goal->more_length;
+  q->floor = strict ? fmin(r->worst, POLISH_TOLERATED) : POLISH_TOLERATED;
   refine__field_apply(field, r);
   double cost = measure(q);
   for (int k = 0; k < ROUNDS && q->work < q->budget; k++) {
@@ -308,6 +319,7 @@ PolishedMesh refine__polish(Refiner *r, RefineField *field, const PolishGoal *go
     cost = measure(q);
   }
   q->budget += budget / 4;
+  if (r->p->algorithm == REFINE_ADAPT) favour_lengths(q);
   sweep(q);
   measure(q);
   polish__sharpen(q);

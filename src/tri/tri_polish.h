@@ -10,8 +10,12 @@
 // How much lengths, and the sine of the smallest angle, count against shapes; all three are means over the mesh.
 #define POLISH_LENGTHS 3.0
 #define POLISH_ANGLE 0.2
+// How much the square of 1/gamma - 1 counts against 1 - gamma: bad triangles.
+#define POLISH_TAIL 15.0
 // Squared sine of 45.5 degrees: a smallest angle beyond that is worth nothing more.
 #define POLISH_SINE2 0.5087
+// 1/kappa_4^2 that any triangle may have, if the mesh had one as bad.
+#define POLISH_TOLERATED (1 / 0.7)
 // A mean that falls short of the reference by less than this is as good.
 #define POLISH_SLACK 5e-4
 
@@ -44,6 +48,7 @@ typedef struct {
   double shape, length, loss; // means over the mesh when it was last measured: costs of shapes and lengths, 1 - gamma
   double more_gamma, more_length; // the factors of the goal, and more while a mean falls short
   double weight;        // of a length against a shape in sums, so that they compare as the means do
+  double tail;          // of the square of 1/gamma - 1 against 1 - gamma
   double lift;          // of the smallest sine in sums
   double floor;         // 1/kappa_4^2 that triangles may rise to
   uint64_t work, budget; // positions of a vertex measured, and at most
@@ -72,15 +77,15 @@ PolishFigures polish__figures(const Refiner *r);
 double polish__cost(const PolishFigures *f, const PolishFigures *reference);
 
 // How far gamma = 1/f is from 1, `mean` times, and more the worse it is.
-static inline double polish__badness(double f, double mean)
+static inline double polish__badness(double f, double mean, double tail)
 {
-  return mean * (1 - 1 / f) + 15 * (f - 1) * (f - 1);
+  return mean * (1 - 1 / f) + tail * (f - 1) * (f - 1);
 }
 
 // What a triangle costs that has 1/kappa_4^2 = f; steeply more beyond the bound.
 static inline double polish__shape(const Polish *q, double f)
 {
-  return polish__badness(f, q->more_gamma) + 10 * (f > q->goal->bound ? f - q->goal->bound : 0);
+  return polish__badness(f, q->more_gamma, q->tail) + 10 * (f > q->goal->bound ? f - q->goal->bound : 0);
 }
 
 // What an edge of that adimensional length costs: its part in the efficiency index [book eq. 4.16].
