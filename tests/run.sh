@@ -1,6 +1,6 @@
 #!/bin/bash
 # run.sh [quick|all] - run the built tests and count. Every test program or script prints TAP; the last line is
-# "N passed, N failed". CONFIG (default release) chooses the build; KEEP=1 keeps the scratch folder.
+# "N passed, N failed", before it those that could not be tried here and why. CONFIG (default release) chooses the build; KEEP=1 keeps the scratch folder.
 #   quick: unit tests and script tests;  all: also tests/cli/*.sh, which run the program as a user would
 set -u
 cd "$(dirname "$0")/.." || exit 3
@@ -12,6 +12,7 @@ export SCRATCH=$scratch
 # Memory that fontconfig (of cairo) keeps for the life of the process is no leak of ours.
 export LSAN_OPTIONS=suppressions=$PWD/tests/lsan.supp:print_suppressions=0
 passed=0 failed=0
+: >"$scratch/skipped"
 
 # run_tap NAME COMMAND... : run one TAP producer; a crash, a non-zero exit without "not ok", or no test at all is a failure
 run_tap() {
@@ -19,7 +20,8 @@ run_tap() {
   shift
   "$@" >"$out" 2>"$scratch/tap.err"
   status=$?
-  ok=$(grep -c '^ok ' "$out")
+  ok=$(grep '^ok ' "$out" | grep -vc '# SKIP')
+  grep '^ok .*# SKIP' "$out" | sed "s|^ok [0-9]* - |skipped: [$name] |" >>"$scratch/skipped"
   bad=$(grep -c '^not ok ' "$out")
   if [ "$bad" -eq 0 ] && { [ $status -ne 0 ] || [ "$ok" -eq 0 ]; }; then
     bad=1
@@ -40,6 +42,7 @@ for s in tests/script/run_*.sh; do [ -e "$s" ] && run_tap "$(basename "$s" .sh)"
 if [ "$tier" = all ]; then
   for s in tests/cli/*.sh; do [ -e "$s" ] && [ "$s" != tests/cli/lib.sh ] && run_tap "$(basename "$s" .sh)" bash "$s"; done
 fi
+cat "$scratch/skipped"
 [ "${KEEP:-0}" = 1 ] || rm -rf "$scratch"
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

@@ -44,7 +44,14 @@ for f in $formats; do
 done
 [ -z "$(left)" ] && ok "no temporary is left" || not_ok "no temporary is left" "$(left)"
 mkdir shut && chmod 500 shut
-if [ "$(id -u)" -ne 0 ]; then exits 3 "a folder without permission" "$MESHGEN" m.msh -v 1 -o shut/x.msh; fi
+user= # root, without root's way past permissions
+[ "$(id -u)" -ne 0 ] || user='setpriv --inh-caps=-dac_override,-dac_read_search --bounding-set=-dac_override,-dac_read_search'
+if $user true 2>/dev/null; then
+  # shellcheck disable=SC2086
+  exits 3 "a folder without permission" $user "$MESHGEN" m.msh -v 1 -o shut/x.msh
+else
+  skip "a folder without permission" "root may write anywhere, and setpriv cannot take that away here"
+fi
 exits 3 "time limit" "$MESHGEN" -2 m.geo -clscale 0.0005 -max_elements 1e9 -time_limit 0.2 -o late.msh
 says "-time_limit" "time limit is said"
 absent "time limit: no file" late.msh
