@@ -70,6 +70,8 @@ void refine__initial_sizes(Refiner *r);
 void refine__reserve(Refiner *r);
 // Size wanted at p, which lies in (or near) triangle t; *carried gets the interpolated boundary size if that is in use.
 double refine__size_at(Refiner *r, const double *p, TriId t, double *carried);
+// Sizes of vertex v, new to the triangulation.
+void refine__set_size(Refiner *r, VertId v, double size, double carried);
 // What the size callback says in the middle of triangle t.
 double refine__size_inside(const Refiner *r, TriId t);
 // Triangle that holds p, walking from t. NONE if a segment is in the way, the half-edge *blocked.

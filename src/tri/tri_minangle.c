@@ -127,8 +127,21 @@ static double where_to_split(const MinAngle *q, VertId u, VertId v, double len)
   return au ? shell : 1 - shell;
 }
 
-static void added_vertex(MinAngle *q, VertId v, double lfs, VertId from, VertId to)
+// Sizes wanted at a place, if they are known yet.
+typedef struct {
+  double size, carried;
+} Wanted;
+
+static Wanted wanted_at(const MinAngle *q, const double *p, TriId t)
 {
+  Wanted w = {0, 0};
+  if (q->r->size) w.size = refine__size_at(q->r, p, t, &w.carried);
+  return w;
+}
+
+static void added_vertex(MinAngle *q, VertId v, Wanted w, double lfs, VertId from, VertId to)
+{
+  if (q->r->size) refine__set_size(q->r, v, w.size, w.carried);
   CHECK(v == q->lfs.len);
   vec_push(&q->lfs, lfs);
   vec_push(&q->from, from), vec_push(&q->to, to);
@@ -189,8 +202,11 @@ static bool split_segment(MinAngle *q, EdgeId e)
   VertId own[2];
   input_ends(q, u, v, own);
   double lfs = feature_at(q, (double[]){p.x, p.y}, own);
+  TriId beside = tri_of(e);
+  if (!tri_is_inside(m, beside)) beside = tri_of(m->twin[e]);
+  Wanted wanted = wanted_at(q, (double[]){p.x, p.y}, beside);
   VertId w = tri_commit(m, &q->c);
-  added_vertex(q, w, lfs, own[0], own[1]);
+  added_vertex(q, w, wanted, lfs, own[0], own[1]);
   q->r->stats->split++;
   if (q->r->p->placed) q->r->p->placed(q->r->p->split_ctx, u, v, w);
   consider_new(q);
@@ -325,7 +341,8 @@ static bool improve(MinAngle *q, TriId t)
   if (yield_to_segments(q, p, &split)) return split > 0;
   double lfs = feature_at(q, p, NULL);
   if (too_near(q, p, lfs)) return false;
-  added_vertex(q, tri_commit(m, &q->c), lfs, NONE, NONE);
+  Wanted wanted = wanted_at(q, p, at);
+  added_vertex(q, tri_commit(m, &q->c), wanted, lfs, NONE, NONE);
   q->r->stats->inserted++;
   consider_new(q);
   return true;

@@ -66,6 +66,13 @@ static void sizes_for_vertices(Refiner *r)
   if (r->carried) r->carried = mem_realloc(r->carried, (size_t)r->cap_v * sizeof *r->carried);
 }
 
+void refine__set_size(Refiner *r, VertId v, double size, double carried)
+{
+  sizes_for_vertices(r);
+  r->size[v] = size;
+  if (r->carried) r->carried[v] = carried;
+}
+
 void refine__reserve(Refiner *r)
 {
   enum { WORTH = 1 << 14 };

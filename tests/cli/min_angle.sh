@@ -134,4 +134,28 @@ END
 exits 0 "faces of three planes" "$MESHGEN" -2 box.geo -min_angle 30 -require "min_angle>=30" -no_report -o box.msh
 check "which share their nodes" sh -c "'$MESHGEN' check box.msh | grep -q ': valid\$'"
 
+# Faces of one plane are one triangulation, whichever way their loops run: splits of the side between them are not passed on from one to
+# the other and back, each time taken for input (11,468 triangles)
+cat >strip.geo <<'END'
+h = 0.2;
+Point(1) = {0, 0, 0, h}; Point(2) = {1, 0, 0, h}; Point(3) = {1, 0.1, 0, h}; Point(4) = {0, 0.1, 0, h}; Point(5) = {1, 1.1, 0, h}; Point(6) = {0, 1.1, 0, h};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {4, 3}; Line(4) = {1, 4}; Line(5) = {3, 5}; Line(6) = {6, 5}; Line(7) = {4, 6};
+Curve Loop(1) = {1, 2, -3, -4}; Plane Surface(1) = {1}; Curve Loop(2) = {3, 5, -6, -7}; Plane Surface(2) = {2};
+x[] = {0.5137, 0.4978, 0.4859, 0.4793, 0.5354, 0.4874, 0.4976, 0.5143, 0.5374, 0.5097};
+y[] = {0.0919, 0.0077, 0.0283, 0.0314, 0.0367, 0.0923, 0.0531, 0.0815, 0.0429, 0.0701};
+For k In {0:9}
+  Point(10 + k) = {x[k], y[k], 0, h};
+EndFor
+For k In {0:4}
+  Line(10 + k) = {10 + 2 * k, 11 + 2 * k}; Curve{10 + k} In Surface{1};
+EndFor
+For k In {0:3}
+  c = 0.17 + 0.22 * k; a = k ? 0.22 : 0.18; b = k ? 0.78 : 0.82;
+  Point(30 + 4 * k) = {c, 0.1 + a, 0, h}; Point(31 + 4 * k) = {c, 0.1 + b, 0, h}; Line(30 + 2 * k) = {30 + 4 * k, 31 + 4 * k};
+  Point(32 + 4 * k) = {a, 0.1 + c, 0, h}; Point(33 + 4 * k) = {b, 0.1 + c, 0, h}; Line(31 + 2 * k) = {32 + 4 * k, 33 + 4 * k};
+  Curve{30 + 2 * k, 31 + 2 * k} In Surface{2};
+EndFor
+END
+exits 0 "faces beside one another" "$MESHGEN" -2 strip.geo -min_angle 33 -max_elements 9000 -no_report -o strip.msh
+
 exits 1 "an angle beyond reach is refused" "$MESHGEN" -2 "$ROOT/geo/conge.geo" -min_angle 50 -o x.msh
