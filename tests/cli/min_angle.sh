@@ -156,6 +156,6 @@ For k In {0:3}
   Curve{30 + 2 * k, 31 + 2 * k} In Surface{2};
 EndFor
 END
-exits 0 "faces beside one another" "$MESHGEN" -2 strip.geo -min_angle 33 -max_elements 9000 -no_report -o strip.msh
+exits 0 "faces beside one another" "$MESHGEN" -2 strip.geo -min_angle 33 -require "triangles<9000" -no_report -o strip.msh
 
 exits 1 "an angle beyond reach is refused" "$MESHGEN" -2 "$ROOT/geo/conge.geo" -min_angle 50 -o x.msh
