@@ -530,6 +530,39 @@ static void test_splits_follow_the_curve(void **state)
   vec_free(&d.xy), vec_free(&d.ends);
 }
 
+enum { HINT = 1000 };
+
+static double hinted_cross(void *ctx, Vec2 p, uint32_t *near)
+{
+  const VertId given = *(VertId *)ctx;
+  assert_true(*near == NONE || (*near >= HINT && *near < HINT + given));
+  return p.x;
+}
+
+// There are hints for the vertices given, and none for those that conformity adds before the crosses are asked for.
+static void test_conforming_vertices_have_no_hints(void **state)
+{
+  (void)state;
+  Rng rng = {6};
+  for (int k = 0; k < 20; k++) {
+    Domain d;
+    random_polygon(&d, &rng, false);
+    Tri m;
+    empty_mesh(&d, &m);
+    VertId given = m.nv;
+    uint32_t *hint = mem_alloc(given * sizeof *hint);
+    for (VertId v = 0; v < given; v++) hint[v] = HINT + v;
+    TriRefineParams p = tri_refine_defaults();
+    p.algorithm = k % 2 ? REFINE_PACK : REFINE_FRONT_QUAD, p.conforming = true;
+    p.cross = hinted_cross, p.cross_ctx = &given, p.cross_near = hint;
+    tri_refine(&m, &p);
+    assert_int_equal(tri_check(&m, TRI_CHECK_LINKS | TRI_CHECK_ORIENT | TRI_CHECK_EULER, NULL), 0);
+    free(hint);
+    tri_free(&m);
+    vec_free(&d.xy), vec_free(&d.ends);
+  }
+}
+
 static void test_conforming_segments_have_empty_circles(void **state)
 {
   (void)state;
@@ -569,6 +602,7 @@ int main(void)
       cmocka_unit_test(test_sizes_of_vertices_for_angles),
       cmocka_unit_test(test_angles_are_guaranteed),
       cmocka_unit_test(test_splits_follow_the_curve),
+      cmocka_unit_test(test_conforming_vertices_have_no_hints),
       cmocka_unit_test(test_conforming_segments_have_empty_circles),
   };
   return unit_run(tests);
