@@ -196,4 +196,20 @@ for angle in 2 3 4; do # points of the quadrilateral that move up or down
   exits 0 "boundary layers $angle: a manifold with one hole" "$halfedges" l.msh 0
   sed -i "s/^Point(1) = {0, 0, 0, h}; Point(2) = {[0-9.]*/Point(1) = {-$angle, 0, 0, h}; Point(2) = {2.$angle/" layers.geo
 done
+# Spikes far from the origin: corners that are flat but for rounding would fold when their quadrangles are halved.
+cat >spikes.geo <<'G'
+DefineConstant[a = -1, w = 0.001];
+Point(1) = {1000, 0, 0, 2};
+For i In {0:4}
+  r = 10 + i / 2; t = a + w * i;
+  Point(3 * i + 2) = {1000 + r * Cos(t), r * Sin(t), 0, 2}; Point(3 * i + 3) = {1000 + r * Cos(t + w / 2), r * Sin(t + w / 2), 0, 2};
+  Point(3 * i + 4) = {1000 + Cos(t + 0.75 * w), Sin(t + 0.75 * w), 0, 2};
+EndFor
+For i In {1:14}
+  Line(i) = {i, i + 1};
+EndFor
+Line(15) = {15, 1}; Curve Loop(1) = {1:15}; Plane Surface(1) = {1};
+Recombine Surface{1}; Mesh.SubdivisionAlgorithm = 1;
+G
+for a in -1 -0.9 0.3; do for w in 0.001 0.003; do exits 0 "spikes of $w at $a" "$MESHGEN" -2 spikes.geo -setnumber a $a -setnumber w $w -o spikes.msh; done; done
 echo "1..$count"
