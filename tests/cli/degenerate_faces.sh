@@ -171,6 +171,13 @@ Curve Loop(1) = {5, 2, 3, 4}; Plane Surface(1) = {1};
 G
 exits 0 "a side defined three times, of one edge each" "$MESHGEN" -2 doubled.geo -o doubled.msh
 
+cat >crack.geo <<'G'
+Point(1) = {0, 0, 0, 9}; Point(2) = {1, 0, 0, 9}; Point(3) = {1, 1, 0, 9}; Point(4) = {0, 1, 0, 9}; Point(5) = {0, -1, 0, 9};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1}; Line(5) = {2, 1}; Line(6) = {1, 5}; Line(7) = {5, 2};
+Curve Loop(1) = {1:4}; Curve Loop(2) = {6, 7, 5}; Plane Surface(1) = {1}; Plane Surface(2) = {2};
+G
+exits 0 "a crack of one edge on either side opens" "$MESHGEN" -2 crack.geo -require "nodes==8" -o crack.msh
+
 # ---- points among the shapes of fragments ----
 cat >fragments.geo <<'G'
 SetFactory("OpenCASCADE");
