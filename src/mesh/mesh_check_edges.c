@@ -262,7 +262,7 @@ static uint32_t node_within(const Grid *g, uint32_t p, uint32_t q)
 typedef struct {
   HalfEdge edge;
   uint32_t node;
-  bool line;   // the edge is a line element of a curve
+  bool line;   // the edge is on a curve
   bool inside; // the node is one of the face's own
 } Junction;
 typedef Vec(Junction) JunctionVec;
@@ -271,6 +271,27 @@ typedef struct {
   const Mesh *m;
   JunctionVec *found;
 } Junctions;
+
+static bool is_on_curve(const Mesh *m, uint32_t node, const MeshEntity *curve)
+{
+  const MeshEntity *at = &m->entity[m->node_entity[node]];
+  bool ends = false;
+  for (size_t i = 0; at->dim == 0 && i < curve->boundary.len; i++) ends |= abs(curve->boundary.data[i]) == at->tag;
+  return at == curve || ends;
+}
+
+// Does the edge lie on a curve: is there a line, or, since files may leave out lines, are both its nodes on one that bounds its face?
+static bool is_on_curve_of_face(const Check *c, const HalfEdge *e)
+{
+  const Mesh *m = c->m;
+  const MeshEntity *face = &m->entity[m->block[e->block].entity];
+  bool found = map_get(&c->line, map_pair(e->a, e->b)) != NONE;
+  for (size_t i = 0; !found && i < face->boundary.len; i++) {
+    uint32_t k = mesh_find_entity(m, 1, abs(face->boundary.data[i]));
+    found = k != NONE && is_on_curve(m, e->a, &m->entity[k]) && is_on_curve(m, e->b, &m->entity[k]);
+  }
+  return found;
+}
 
 // Which nodes are in the face of the edge they lie in.
 static void find_own_nodes(void *ctx, uint32_t face, const uint32_t *stamp)
@@ -315,7 +336,7 @@ static void check_junctions(Check *c, CheckedEdges *s)
     for (size_t i = 0; i < alone.len; i++) {
       HalfEdge e = mesh_edges_at(&c->edges, m, alone.data[i]);
       uint32_t v = node_within(&g, e.a, e.b);
-      if (v != NONE) vec_push(&found, ((Junction){.edge = e, .node = v, .line = map_get(&c->line, map_pair(e.a, e.b)) != NONE}));
+      if (v != NONE) vec_push(&found, ((Junction){.edge = e, .node = v, .line = is_on_curve_of_face(c, &e)}));
     }
     vec_free(&g.node);
     vec_free(&g.next);

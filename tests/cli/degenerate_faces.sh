@@ -177,6 +177,19 @@ Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1}; Line(5) 
 Curve Loop(1) = {1:4}; Curve Loop(2) = {6, 7, 5}; Plane Surface(1) = {1}; Plane Surface(2) = {2};
 G
 exits 0 "a crack of one edge on either side opens" "$MESHGEN" -2 crack.geo -require "nodes==8" -o crack.msh
+printf 'MeshSize{:} = 0.4; Transfinite Curve{1} = 4; Transfinite Curve{5} = 6; Physical Surface(1) = {1, 2};' >>crack.geo
+exits 0 "a crack with other nodes on either side" "$MESHGEN" -2 crack.geo -o crack.msh
+exits 0 "it is seen as one where its lines are not in the file" "$MESHGEN" check crack.msh
+prints "not joined to it" "with a warning"
+
+# ---- two faces on one loop: an edge within each may join the same nodes ----
+cat >twins.geo <<'G'
+Point(1) = {0, 0, 0, 2}; Point(2) = {2, 0, 0, 2}; Point(3) = {2, 1, 0, 2}; Point(4) = {0, 1, 0, 2};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1}; Curve Loop(1) = {1:4}; Plane Surface(1) = {1}; Plane Surface(2) = {1};
+G
+exits 0 "two faces on one loop" "$MESHGEN" -2 twins.geo -format msh2 -o twins.msh
+exits 0 "of order 2" "$MESHGEN" -2 twins.geo -order 2 -o twins.msh
+exits 0 "halved" "$MESHGEN" -2 twins.geo -setnumber Mesh.SubdivisionAlgorithm 1 -o twins.msh
 
 # ---- points among the shapes of fragments ----
 cat >fragments.geo <<'G'
