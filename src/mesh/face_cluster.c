@@ -162,7 +162,9 @@ static bool empty_mesh(FaceCluster *p)
   Tri *t = &p->tri;
   tri_init(t);
   build_graph(p);
-  if (!face_graph_recover(&p->graph, p->in->model, p->frame, t, p->diag) || !face_cluster__regions(p)) return false;
+  if (!face_graph_recover(&p->graph, p->in->model, p->frame, t, p->diag) || !face_cluster__regions(p) ||
+      !face_cluster__embedded_inside(p))
+    return false;
   t->region = mem_realloc(t->region, t->cap_t * sizeof *t->region);
   for (TriId k = 0; k < t->nt; k++) {
     if (tri_is_free(t, k)) continue;

@@ -182,6 +182,17 @@ exits 0 "a crack with other nodes on either side" "$MESHGEN" -2 crack.geo -o cra
 exits 0 "it is seen as one where its lines are not in the file" "$MESHGEN" check crack.msh
 prints "not joined to it" "with a warning"
 
+# ---- embedded curves on the boundary, and outside, with a smallest angle ----
+cat >rim.geo <<'G'
+h = 0.3; Point(1) = {0, 0, 0, h}; Point(2) = {1, 0, 0, h}; Point(3) = {1, 1, 0, h}; Point(4) = {0, 1, 0, h}; Point(5) = {1.5, 0.5, 0, h};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1}; Curve Loop(1) = {1:4}; Plane Surface(1) = {1};
+Line(5) = {2, 1}; Line(6) = {1, 3}; Curve{5, 6} In Surface{1}; Coherence;
+G
+exits 0 "an embedded curve that Coherence makes a side" "$MESHGEN" -2 rim.geo -o rim.msh
+echo 'Line(7) = {2, 5}; Curve{7} In Surface{1};' >>rim.geo
+exits 1 "an embedded curve that is outside, with a smallest angle" "$MESHGEN" -2 rim.geo -min_angle 30 -o rim.msh
+says "embedded curve 7 is outside surface 1" "is named"
+
 # ---- two faces on one loop: an edge within each may join the same nodes ----
 cat >twins.geo <<'G'
 Point(1) = {0, 0, 0, 2}; Point(2) = {2, 0, 0, 2}; Point(3) = {2, 1, 0, 2}; Point(4) = {0, 1, 0, 2};
