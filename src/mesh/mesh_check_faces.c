@@ -138,7 +138,9 @@ static size_t curve_cycles(const Check *c, const MeshEntity *f)
   bool known = true;
   for (size_t i = 0; i < f->boundary.len; i++) *map_slot(&odd, (uint64_t)abs(f->boundary.data[i]), 0, NULL) ^= 1;
   for (size_t i = 0; i < f->boundary.len && known; i++) {
-    if (!map_get(&odd, (uint64_t)abs(f->boundary.data[i]))) continue;
+    uint32_t *counts = map_slot(&odd, (uint64_t)abs(f->boundary.data[i]), 0, NULL);
+    if (!*counts) continue;
+    *counts = 0; // once
     uint32_t e = mesh_find_entity(c->m, 1, abs(f->boundary.data[i]));
     const IntVec *ends = e == NONE ? NULL : &c->m->entity[e].boundary;
     known = ends && (ends->len == 2 || ends->len == 1);

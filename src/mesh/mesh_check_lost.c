@@ -162,9 +162,10 @@ void check__lost(Check *c, CheckedEdges *s)
     for (size_t n; k < wanted.len && wanted.data[k] >> 32 == curve; k += n) {
       uint32_t face = (uint32_t)wanted.data[k];
       n = check__count(&wanted, wanted.data[k]);
+      const size_t sides = n > 2 ? 2 - n % 2 : n; // what is run along three times bounds the face like what is run along once
       size_t has = check__count(&s->use, (uint64_t)l << 32 | face);
-      if (has == 0 && n == 2 && !is_embedded(c, face, curve)) add_between(c, l, face, &between);
-      else if (has < n) report_lost(c, l, face, has, n);
+      if (has == 0 && sides == 2 && !is_embedded(c, face, curve)) add_between(c, l, face, &between);
+      else if (has < sides) report_lost(c, l, face, has, sides);
     }
     if (listed || c->strict || c->edges.n == 0) continue; // curves that no face lists are known to be free
     size_t lo = 0, up = s->use.len; // any use of this line at all?

@@ -158,4 +158,15 @@ EndFor
 END
 exits 0 "faces beside one another" "$MESHGEN" -2 strip.geo -min_angle 33 -require "triangles<9000" -no_report -o strip.msh
 
+# a curve that turns back within an edge of it: its new nodes are in the order of its parameter, not of where they lie along the chord
+cat >hairpin.geo <<'END'
+h = 0.2; Point(1) = {-0.1, -0.1, 0, h}; Point(2) = {0.1, -0.1, 0, h}; Point(3) = {0.1, 0.1, 0, h}; Point(4) = {-0.1, 0.1, 0, h};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1}; Curve Loop(1) = {1:4}; Plane Surface(1) = {1};
+Point(20) = {0.02381, 0.00735, 0, h}; Point(21) = {-0.04027, -0.02618, 0, h}; Point(22) = {0.05674, 0.01922, 0, h};
+Spline(16) = {20, 21, 22}; Curve{16} In Surface{1};
+END
+for h in 1 0.7 0.2; do
+  exits 0 "a hairpin, sizes times $h" "$MESHGEN" -2 hairpin.geo -clscale $h -setnumber Mesh.ConformingDelaunay 1 -no_report -o hairpin.msh
+done
+
 exits 1 "an angle beyond reach is refused" "$MESHGEN" -2 "$ROOT/geo/conge.geo" -min_angle 50 -o x.msh

@@ -204,6 +204,8 @@ static void a_lost_slit(void **state)
   Mesh *m = sample_mesh(4, true, false);
   vec_push(&m->entity[13].boundary, 3); // beside face 1, for all that its elements tell
   vec_push(&m->entity[13].boundary, -3);
+  vec_push(&m->entity[13].boundary, 7); // a side that is listed three times is a side
+  vec_push(&m->entity[13].boundary, -7);
   expect(m, true, RULE_COUNT, 0, 0);
 }
 
