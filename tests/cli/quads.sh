@@ -212,4 +212,16 @@ Line(15) = {15, 1}; Curve Loop(1) = {1:15}; Plane Surface(1) = {1};
 Recombine Surface{1}; Mesh.SubdivisionAlgorithm = 1;
 G
 for a in -1 -0.9 0.3; do for w in 0.001 0.003; do exits 0 "spikes of $w at $a" "$MESHGEN" -2 spikes.geo -setnumber a $a -setnumber w $w -o spikes.msh; done; done
+# Embedded lines with loose ends: two elements that share an edge of one share the next edge too, which must not be merged away.
+cat >star.geo <<'G'
+Point(26) = {-8.692626, 22.553938, 0, 2}; Point(27) = {-16.08888, 24.5047, 0, 2}; Point(28) = {-19.101702, 17.53391, 0, 1.378}; Point(29) = {-11.750801, 15.509653, 0, 3.64};
+Point(30) = {-13.92994, 20.028117, 0, 0.683}; Point(31) = {-14.319468, 18.549628, 0, 2}; Point(32) = {-13.016878, 18.801748, 0, 2}; Point(33) = {-12.401841, 19.977348, 0, 2};
+Point(34) = {-12.937492, 21.191178, 0, 2}; Point(35) = {-14.220474, 21.529201, 0, 7.56}; Point(36) = {-15.284679, 20.736879, 0, 2}; Point(37) = {-15.328739, 19.410846, 0, 2};
+Spline(23) = {26, 27, 28}; Spline(24) = {28, 29, 26}; Curve Loop(5) = {23, 24}; Plane Surface(3) = {5};
+For i In {25:31}
+  Line(i) = {30, i + 6}; Curve{i} In Surface{3};
+EndFor
+Recombine Surface{3}; Mesh.MeshSizeFactor = 10;
+G
+for r in 1 2 3; do exits 0 "a star of embedded lines, method $r" "$MESHGEN" -2 star.geo -setnumber Mesh.RecombinationAlgorithm $r -o star.msh; done
 echo "1..$count"
