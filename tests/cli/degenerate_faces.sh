@@ -193,6 +193,16 @@ echo 'Line(7) = {2, 5}; Curve{7} In Surface{1};' >>rim.geo
 exits 1 "an embedded curve that is outside, with a smallest angle" "$MESHGEN" -2 rim.geo -min_angle 30 -o rim.msh
 says "embedded curve 7 is outside surface 1" "is named"
 
+# ---- an embedded curve that crosses itself: it is cut twice at the point where it does ----
+cat >loop.geo <<'G'
+h = 0.02; Point(1) = {-1, -1, 0, 0.3}; Point(2) = {1, -1, 0, 0.3}; Point(3) = {1, 1, 0, 0.3}; Point(4) = {-1, 1, 0, 0.3};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1}; Curve Loop(1) = {1:4}; Plane Surface(1) = {1};
+Point(5) = {-0.5, -0.5, 0, h}; Point(6) = {0.5, 0.3, 0, h}; Point(7) = {0, 0.7, 0, h}; Point(8) = {-0.5, 0.3, 0, h}; Point(9) = {0.5, -0.5, 0, h};
+Spline(5) = {5:9}; Curve{5} In Surface{1};
+G
+exits 0 "an embedded spline with a loop in it" "$MESHGEN" -2 loop.geo -require "area>3.999999999" -o loop.msh
+exits 0 "passes the audit" "$MESHGEN" check loop.msh
+
 # ---- two faces on one loop: an edge within each may join the same nodes ----
 cat >twins.geo <<'G'
 Point(1) = {0, 0, 0, 2}; Point(2) = {2, 0, 0, 2}; Point(3) = {2, 1, 0, 2}; Point(4) = {0, 1, 0, 2};
