@@ -169,4 +169,22 @@ for h in 1 0.7 0.2; do
   exits 0 "a hairpin, sizes times $h" "$MESHGEN" -2 hairpin.geo -clscale $h -setnumber Mesh.ConformingDelaunay 1 -no_report -o hairpin.msh
 done
 
+# where curves meet at a sharp angle and beside it at a wide one, only the sharp one is an excuse
+cat >beside.geo <<'END'
+Point(1) = {0, 0, 0, 0.1}; Point(2) = {-0.7452920581558482, -0.28199767268076814, 0, 0.0197705}; Point(3) = {0.11428165722735584, -0.488738936510943, 0, 0.72388};
+Point(4) = {0.5796289138620003, -0.5199056641714566, 0, 0.0677908}; Point(5) = {0.8021203119129642, 0.08368061574528222, 0, 0.1};
+Point(6) = {0.28021960691120884, 0.872471096098121, 0, 0.1}; Point(7) = {-0.41299777369516893, 0.3619447301723939, 0, 0.1};
+Point(8) = {-0.8226150729298773, 0.04879752348634625, 0, 0.128216};
+Line(1) = {2, 3}; Line(2) = {3, 4}; Line(3) = {4, 5}; Line(4) = {5, 6}; Line(5) = {6, 7}; Line(6) = {7, 8}; Line(7) = {8, 2};
+For k In {2:8}
+  Line(6 + k) = {1, k};
+EndFor
+Curve Loop(1) = {8, 1, -9}; Curve Loop(2) = {9, 2, -10}; Curve Loop(3) = {10, 3, -11}; Curve Loop(4) = {11, 4, 5, 6, 7, -8};
+For k In {1:4}
+  Plane Surface(k) = {k};
+EndFor
+END
+exits 0 "sharp angles beside wide ones" "$MESHGEN" -2 beside.geo -min_angle 30 -no_report -o beside.msh
+says "2 triangles have an angle below 30 degrees" "are those in the sharp ones"
+
 exits 1 "an angle beyond reach is refused" "$MESHGEN" -2 "$ROOT/geo/conge.geo" -min_angle 50 -o x.msh
