@@ -224,4 +224,12 @@ EndFor
 Recombine Surface{3}; Mesh.MeshSizeFactor = 10;
 G
 for r in 1 2 3; do exits 0 "a star of embedded lines, method $r" "$MESHGEN" -2 star.geo -setnumber Mesh.RecombinationAlgorithm $r -o star.msh; done
+# A loop of few edges, of which every second node is left out: the hole is outside of what remains.
+cat >outside.geo <<'G'
+h = 9; Point(1) = {-0.9, -0.9, 0, h}; Point(2) = {0.6, -1.25, 0, h}; Point(3) = {1.3, 0.2, 0, h}; Point(4) = {0.2, 1.25, 0, h}; Point(5) = {-1.1, 0.6, 0, h};
+Spline(1) = {1, 2, 3, 4}; Line(2) = {4, 5}; Line(3) = {5, 1}; Curve Loop(1) = {1:3};
+Point(6) = {0.35, -0.2, 0, h}; Point(7) = {0.6, -0.1, 0, h}; Point(8) = {0.5, 0.2, 0, h}; Line(4) = {6, 7}; Line(5) = {7, 8}; Line(6) = {8, 6};
+Curve Loop(2) = {4:6}; Plane Surface(1) = {1, 2}; Recombine Surface{1};
+G
+for r in 2 3; do exits 0 "a hole outside of the coarse polygon, method $r" "$MESHGEN" -2 outside.geo -setnumber Mesh.RecombinationAlgorithm $r -o outside.msh; done
 echo "1..$count"
