@@ -24,7 +24,7 @@ Q := $(if $(filter 1,$(V)),,@)
 B := build/$(CONFIG)
 
 OPT_release := -O3 -g1 -DNDEBUG
-OPT_debug := -O0 -g -DCHECK_LEVEL=2
+OPT_debug := -O0 -g -DCHECK_LEVEL=1
 OPT_asan := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=undefined -DCHECK_LEVEL=1
 OPT_stress := -O1 -g -DSTRESS -DCHECK_LEVEL=3
 OPT_cov := -O0 -g --coverage -DCHECK_LEVEL=1
@@ -156,15 +156,19 @@ run-fuzz: $(LIB)
 	$(Q)sh tests/fuzz/run.sh "$(CC) $(CFLAGS_ALL) -fsanitize=fuzzer" "$(LIB) -lstdc++ $(LIBS)" $(B) $(FUZZ_SECONDS)
 
 .PHONY: check-layers check-headers style metrics coverage
-## check-layers: which folder includes which, against the table of docs/architecture.md
+## check-layers: which folder includes which, against the table of docs/architecture.md; do comments and documents name what is there
 check-layers:
 	$(Q)sh tests/check-layers.sh
+	$(Q)python3 tests/check_comments.py
 
-## check-headers: every header compiles alone, as C and as C++
+## check-headers: every header compiles alone as C, and the public ones as C++, which oracles and benches are written in
 check-headers:
 	$(Q)for h in src/*/*.h; do \
-	  echo "#include \"$${h#src/}\"" | $(CC) $(filter-out -MMD -MP,$(CFLAGS_ALL)) -fsyntax-only -x c - || exit 1; done; \
-	echo "all headers compile alone"
+	  echo "#include \"$${h#src/}\"" | $(CC) $(filter-out -MMD -MP,$(CFLAGS_ALL)) -fsyntax-only -x c - || exit 1; \
+	  case $$h in *_int.h) continue ;; esac; \
+	  echo "extern \"C\" {@#include \"$${h#src/}\"@}" | tr @ '\n' | \
+	    $(CXX) $(filter-out -MMD -MP -Wpedantic -Wshadow,$(CXXFLAGS_ALL)) $(PKG_CFLAGS) -fsyntax-only -x c++ - || exit 1; \
+	done; echo "all headers compile alone"
 
 ## style: what clang-format would change (a place to look, not a verdict)
 style:
@@ -180,9 +184,17 @@ coverage:
 	$(Q)CONFIG=cov tests/run.sh quick
 	$(Q)gcovr -r . --object-directory build/cov src 2>/dev/null | tail -40
 
-## pictures: the pictures of the documents
+## pictures: the pictures of README and of docs/examples.md and docs/tutorial.md anew, by their own commands
 .PHONY: pictures
+PICTURES := $(CURDIR)/$(B)/pictures
 pictures: all
+	$(Q)rm -rf $(PICTURES) && mkdir -p $(PICTURES)/bin && ln -s $(CURDIR)/$(PROGRAM) $(PICTURES)/bin/meshgen
+	$(Q)for d in examples tutorial; do \
+	  mkdir $(PICTURES)/$$d && ln -s $(CURDIR)/geo $(PICTURES)/$$d/geo && \
+	  awk '/^```sh$$/ { on = 1; next } /^```/ { on = 0 } on' docs/$$d.md >$(PICTURES)/$$d/block.sh && \
+	  (cd $(PICTURES)/$$d && PATH=$(PICTURES)/bin:$$PATH bash -eu block.sh >said.txt 2>&1) || exit 1; done
+	$(Q)cp $(PICTURES)/examples/*.png docs/pictures
+	$(Q)for p in bracket fine quads change; do cp $(PICTURES)/tutorial/$$p.png docs/pictures/tutorial_$$p.png; done
 	./meshgen -2 geo/conge.geo -v 2 -no_report -o docs/conge.png
 
 ## man: rewrite the generated part of meshgen.1 from the tables

@@ -23,9 +23,3 @@ void check_failed(const char *file, int line, const char *cond)
   abort();
 }
 
-int check_level(void)
-{
-  const char *e = getenv("MESHGEN_CHECK");
-  int level = e && e[0] >= '0' && e[0] <= '9' ? e[0] - '0' : 0;
-  return MAX(level, CHECK_LEVEL);
-}

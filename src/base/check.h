@@ -3,9 +3,8 @@
 #ifndef BASE_CHECK_H
 #define BASE_CHECK_H
 
-// Levels: 0 only CHECK; 1 also DCHECK (cheap, debug builds); 2 local validators; 3 full O(n) validators
-// after every mutation (stress build). The environment variable MESHGEN_CHECK raises validators that are
-// run by level (check_level()) in release builds too; DCHECK is fixed at compile time.
+// Levels, fixed at compile time: 0 only CHECK; 1 also DCHECK (cheap, debug builds); 3 full O(n) validators after every mutation (stress
+// build).
 #ifndef CHECK_LEVEL
 #define CHECK_LEVEL 0
 #endif
@@ -16,9 +15,6 @@ extern "C" {
 
 // Report a bug of ours on stderr (file, line, condition, the stage and entity last announced) and abort().
 __attribute__((noreturn)) void check_failed(const char *file, int line, const char *cond);
-
-// Level in force: the larger of CHECK_LEVEL and $MESHGEN_CHECK (read once per process).
-int check_level(void);
 
 // Remember what is being worked on, for check_failed. `stage` must outlive the call; thread-local.
 void check_context(const char *stage, long entity);

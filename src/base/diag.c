@@ -8,6 +8,7 @@
 #include <stdarg.h>
 #include <unistd.h>
 
+#include "base/map.h"
 #include "base/mem.h"
 #include "base/stats.h"
 #include "base/str.h"
@@ -24,6 +25,13 @@ typedef struct {
   SrcLoc at;
 } Frame;
 
+// Warnings of one format at one place: how many came, and the text of the first one that was held back.
+typedef struct {
+  SrcLoc loc;
+  size_t n;
+  char *text;
+} Alike;
+
 struct Diag {
   bool print, color, werror;
   int level, errors, warnings;
@@ -34,6 +42,9 @@ struct Diag {
   double last_progress; // of time_wall
   bool last_shown; // the message before was printed (notes follow it)
   bool dropped;    // the message before was a warning too many (its notes go with it)
+  int given;       // warnings that were not held back
+  Vec(Alike) alike;
+  Map alike_at;    // place and format -> its index there
   Vec(SourceFile) files;
   Vec(Frame) frames;
   Vec(DiagMessage) messages;
@@ -108,6 +119,9 @@ void diag_free(Diag *d)
   vec_free(&d->files);
   vec_free(&d->frames);
   vec_free(&d->messages);
+  for (size_t i = 0; i < d->alike.len; i++) free(d->alike.data[i].text);
+  vec_free(&d->alike);
+  map_free(&d->alike_at);
   free(d);
 }
 
@@ -194,21 +208,63 @@ static void print_message(Diag *d, const DiagMessage *m)
   str_free(&out);
 }
 
-static void deliver(Diag *d, DiagKind kind, SrcLoc loc, char *text)
+static Alike *find_alike(Diag *d, const char *like, SrcLoc loc)
+{
+  const uint64_t prime = 1099511628211; // FNV-1a
+  uint64_t key = 14695981039346656037u;
+  for (const char *p = like; *p; p++) key = (key ^ (unsigned char)*p) * prime;
+  key = (((key ^ loc.file) * prime ^ loc.line) * prime ^ loc.col) * prime;
+  bool added;
+  uint32_t *at = map_slot(&d->alike_at, key, (uint32_t)d->alike.len, &added);
+  if (added) vec_push(&d->alike, ((Alike){loc, 0, NULL}));
+  return &d->alike.data[*at];
+}
+
+// A warning like several before: counted only. Those without a place are said each time.
+static bool held_back(Diag *d, const char *like, SrcLoc loc, const char *text)
+{
+  if (d->parent || !like || !loc.line) return false;
+  Alike *a = find_alike(d, like, loc);
+  if (++a->n <= DIAG_MAX_ALIKE) return false;
+  if (a->n == DIAG_MAX_ALIKE + 1) a->text = mem_strdup(text);
+  return true;
+}
+
+static void deliver(Diag *d, DiagKind kind, SrcLoc loc, const char *like, char *text)
 {
   if (kind == DIAG_WARNING && d->werror) kind = DIAG_ERROR;
   if (kind == DIAG_ERROR) d->errors++;
   if (kind == DIAG_WARNING) d->warnings++;
-  if (kind != DIAG_NOTE) d->dropped = kind == DIAG_WARNING && d->warnings > DIAG_MAX_WARNINGS && !d->parent;
+  bool held = kind == DIAG_WARNING && held_back(d, like, loc, text);
+  if (kind == DIAG_WARNING && !held) d->given++;
+  if (kind != DIAG_NOTE) d->dropped = held || (kind == DIAG_WARNING && d->given > DIAG_MAX_WARNINGS && !d->parent);
   if (d->dropped) {
     free(text);
-    if (kind == DIAG_NOTE || d->warnings > DIAG_MAX_WARNINGS + 1) return;
+    if (kind == DIAG_NOTE || held || d->given > DIAG_MAX_WARNINGS + 1) return;
     text = mem_strdup("there are more warnings, which are not shown");
     loc = NO_LOC;
   }
-  DiagMessage m = {kind, loc, text};
+  DiagMessage m = {kind, loc, text, like};
   vec_push(&d->messages, m);
   print_message(d, &vec_last(&d->messages));
+}
+
+void diag_flush(Diag *d)
+{
+  d->dropped = false;
+  for (size_t i = 0; i < d->alike.len; i++) {
+    Alike *a = &d->alike.data[i];
+    if (!a->text) continue;
+    d->last_shown = d->level >= LOG_WARNING;
+    size_t more = a->n - DIAG_MAX_ALIKE;
+    if (more == 1)
+      diag_note(d, a->loc, "one more warning like those here: %s", a->text);
+    else
+      diag_note(d, a->loc, "%zu more warnings like those here; the first: %s", more, a->text);
+    free(a->text);
+  }
+  vec_clear(&d->alike);
+  map_free(&d->alike_at);
 }
 
 static char *format(const char *fmt, va_list ap)
@@ -222,10 +278,10 @@ static char *format(const char *fmt, va_list ap)
   return s;
 }
 
-#define DELIVER(kind)                      \
-  va_list ap;                              \
-  va_start(ap, fmt);                       \
-  deliver(d, kind, loc, format(fmt, ap));  \
+#define DELIVER(kind)                          \
+  va_list ap;                                  \
+  va_start(ap, fmt);                           \
+  deliver(d, kind, loc, fmt, format(fmt, ap)); \
   va_end(ap)
 
 void diag_error(Diag *d, SrcLoc loc, const char *fmt, ...) { DELIVER(DIAG_ERROR); }
@@ -236,7 +292,7 @@ void diag_merge(Diag *parent, Diag *child)
 {
   for (size_t i = 0; i < child->messages.len; i++) {
     DiagMessage *m = &child->messages.data[i];
-    deliver(parent, m->kind, m->loc, m->text);
+    deliver(parent, m->kind, m->loc, m->format, m->text);
     m->text = NULL;
   }
   diag_free(child);
@@ -289,7 +345,7 @@ void log_debug(Diag *d, const char *fmt, ...)
   va_end(ap);
 }
 
-bool log_progress_wanted(const Diag *d)
+static bool progress_wanted(const Diag *d)
 {
   return d->print && !d->stream && d->level >= LOG_DEFAULT && isatty(2);
 }
@@ -298,7 +354,7 @@ void log_progress_end(Diag *d) { end_progress(d); }
 
 void log_progress(Diag *d, const char *stage, double done, double all, const char *what, double began)
 {
-  if (!log_progress_wanted(d)) return;
+  if (!progress_wanted(d)) return;
   double now = time_wall(), spent = now - began;
   if (spent < 0.5 || now - d->last_progress < 0.1) return;
   d->last_progress = now;

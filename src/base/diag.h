@@ -21,6 +21,7 @@ typedef struct {
   DiagKind kind;
   SrcLoc loc;
   char *text;
+  const char *format; // what it was made of: warnings of one format and place are like each other
 } DiagMessage;
 
 typedef struct Diag Diag;
@@ -40,9 +41,9 @@ void diag_merge(Diag *parent, Diag *child);
 
 void diag_set_level(Diag *d, int level); // of the -v scale; what is counted and kept does not depend on it
 int diag_level(const Diag *d);
-void diag_set_color(Diag *d, bool on);
+void diag_set_color(Diag *d, bool on);   // of what is printed
 void diag_set_log(Diag *d, FILE *f);     // copy without colours of all that is printed; not owned; NULL for none
-void diag_set_warnings_are_errors(Diag *d, bool on);
+void diag_set_warnings_are_errors(Diag *d, bool on); // from now on
 
 // Make a source text known, for carets. `text` is not copied and must outlive d. `from` is the place of
 // the Include/Merge that named it, or NO_LOC. Returns the file index for SrcLoc (0 is reserved for "no file").
@@ -58,10 +59,14 @@ void diag_note(Diag *d, SrcLoc loc, const char *fmt, ...) PRINTF_LIKE(3, 4);
 void diag_push_frame(Diag *d, const char *what, SrcLoc at);
 void diag_pop_frame(Diag *d);
 
+// How many there were, those not printed included.
 int diag_errors(const Diag *d);
 int diag_warnings(const Diag *d);
-enum { DIAG_MAX_ERRORS = 20, DIAG_MAX_WARNINGS = 100 };
-// Warnings beyond DIAG_MAX_WARNINGS are counted, neither printed nor kept; one message says so. Children keep all.
+enum { DIAG_MAX_ERRORS = 20, DIAG_MAX_WARNINGS = 100, DIAG_MAX_ALIKE = 3 };
+// Of warnings that are alike (one statement in a loop, one list with many faults) DIAG_MAX_ALIKE are given; the others are counted,
+// and diag_flush says how many they were. Warnings beyond DIAG_MAX_WARNINGS are counted, neither printed nor kept; one message
+// says so. Children keep all.
+void diag_flush(Diag *d);
 // True once DIAG_MAX_ERRORS errors were given: whoever parses should stop. Further errors are counted, not printed.
 bool diag_full(const Diag *d);
 size_t diag_count(const Diag *d);
@@ -77,7 +82,5 @@ void log_debug(Diag *d, const char *fmt, ...) PRINTF_LIKE(2, 3);
 // first after half a second.
 void log_progress(Diag *d, const char *stage, double done, double all, const char *what, double began);
 void log_progress_end(Diag *d);
-// Would log_progress draw anything?
-bool log_progress_wanted(const Diag *d);
 
 #endif

@@ -35,6 +35,8 @@ typedef struct {
   size_t len, cap;
 } Names;
 
+// Each in expected O(length of the key). names_set replaces the value of a key that is there; names_remove of one that is not does
+// nothing.
 uint32_t names_get(const Names *m, const char *key); // or NONE
 void names_set(Names *m, const char *key, uint32_t value);
 void names_remove(Names *m, const char *key);

@@ -11,12 +11,13 @@ typedef struct {
   size_t len, cap;
 } Str;
 
+// Append; amortized O(length appended).
 void str_append(Str *s, const char *text);
 void str_append_n(Str *s, const char *text, size_t n);
 void str_char(Str *s, char c);
 void str_printf(Str *s, const char *fmt, ...) PRINTF_LIKE(2, 3);
 void str_double(Str *s, double v); // shortest text that reads back
-void str_clear(Str *s);
+void str_clear(Str *s);            // to "", keeping the memory
 void str_free(Str *s);
 // The text, never NULL; valid until the next change.
 const char *str_text(const Str *s);

@@ -3,7 +3,7 @@
 #ifndef CLI_OUTPUT_H
 #define CLI_OUTPUT_H
 
-#include "cli/pipeline.h"
+#include "cli/job.h"
 #include "out/formats.h"
 
 // What can be known wrong of inputs, outputs and format before any work is done: EXIT_USAGE after an error.

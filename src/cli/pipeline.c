@@ -10,295 +10,15 @@
 #include "base/file.h"
 #include "base/str.h"
 #include "cli/batch.h"
+#include "cli/host.h"
+#include "cli/job_mesh.h"
 #include "cli/output.h"
 #include "cli/report.h"
-#include "mesh/boundary_layer.h"
-#include "mesh/high_order.h"
-#include "mesh/mesh2d.h"
-#include "mesh/mesh2d_estimate.h"
-#include "mesh/mesh2d_joint.h"
 #include "mesh/mesh_check.h"
 #include "mesh/mesh_join.h"
-#include "mesh/mesh_stats.h"
-#include "mesh/partition.h"
-#include "mesh/periodic.h"
-#include "mesh/subdivide.h"
 #include "model/model_edit.h"
 #include "out/formats.h"
 
-// ---- meshing ----------------------------------------------------------------------------------------------------------
-static void drop_mesh(Job *j)
-{
-  mesh_free(j->mesh);
-  j->mesh = NULL;
-  free(j->node_size);
-  j->node_size = NULL;
-  mesh1d_free(j->curves);
-  j->curves = NULL;
-  j->mesh_dim = -1;
-}
-
-// Divide the mesh in n parts, or take its partition away; false after an error.
-static bool partition(Job *j, int n)
-{
-  stage_begin(&j->stats, "partition");
-  bool good = mesh_partition(j->mesh, n, &j->options, j->diag);
-  stage_end(&j->stats);
-  return good;
-}
-
-// The mesh of the job becomes another one, in as many parts; sizes at its nodes are no longer known.
-static void replace_mesh(Job *j, Mesh *mesh)
-{
-  uint32_t parts = j->mesh->nparts;
-  mesh_free(j->mesh);
-  j->mesh = mesh;
-  free(j->node_size);
-  j->node_size = NULL;
-  if (parts && !mesh->nparts) partition(j, (int)parts);
-}
-
-// Curves must be there to place nodes on them.
-static void make_curves_ready(Job *j)
-{
-  if (model_needs_prepare(j->model)) model_prepare(j->model, j->options.Geometry_Tolerance, j->diag);
-}
-
-static void set_order(Job *j, int order)
-{
-  make_curves_ready(j);
-  HighOrder how = {.order = order, .incomplete = j->options.Mesh_SecondOrderIncomplete, .linear = j->options.Mesh_SecondOrderLinear};
-  HighOrderReport r;
-  stage_begin(&j->stats, "high order");
-  replace_mesh(j, mesh_set_order(j->mesh, &how, j->model, &r, j->diag));
-  stage_end(&j->stats);
-  if (order > 1)
-    log_info(j->diag, "order %d: %zu curved edges, %zu elements unfolded, least Jacobian %.3g", order, r.curved, r.folded,
-             r.min_jacobian);
-}
-
-static void subdivide(Job *j, Subdivision how)
-{
-  make_curves_ready(j);
-  stage_begin(&j->stats, "subdivide");
-  replace_mesh(j, mesh_subdivide(j->mesh, how, j->options.Mesh_SecondOrderLinear ? NULL : j->model, j->diag));
-  stage_end(&j->stats);
-}
-
-// What follows the meshing of the faces: pairs of periodic nodes, subdivision, order.
-static void finish_mesh(Job *j, int dim)
-{
-  if (dim >= 1) periodic_add(j->mesh, j->model, j->diag);
-  if (dim >= 2 && j->options.Mesh_SubdivisionAlgorithm == 1) subdivide(j, SUBDIVIDE_QUADS);
-  if (dim >= 2 && j->options.Mesh_SubdivisionAlgorithm == 3) subdivide(j, SUBDIVIDE_BARYCENTRIC);
-  if (dim >= 1 && j->options.Mesh_ElementOrder > 1) set_order(j, j->options.Mesh_ElementOrder);
-}
-
-// The estimate before meshing knows nothing of what is refined for angles.
-static bool few_enough(const Job *j, const FaceMesh *face, size_t n)
-{
-  double total = 0;
-  for (size_t k = 0; k < n; k++) total += (double)(face[k].ntri + face[k].nquad);
-  if (total <= j->options.Mesh_MaxElements || j->cli->keep_going) return true;
-  diag_error(j->diag, NO_LOC, "the surfaces have %.0f elements, more than Mesh.MaxElements = %g (-max_elements)", total,
-             j->options.Mesh_MaxElements);
-  return false;
-}
-
-// With -keep_going faces grow until they meet the limit, each on its own.
-static void mesh_faces(Job *j, const SizeField *size, EdgeNodes *en, const BoundaryLayers *layers)
-{
-  size_t n = model_faces(j->model);
-  FaceMesh *face = mem_zalloc(n * sizeof *face);
-  Mesh2dInput in = {.model = j->model, .options = &j->options, .size = size, .curves = j->curves, .layers = layers,
-                    .diag = j->diag, .threads = j->threads};
-  stage_begin(&j->stats, "estimate");
-  bool affordable = j->cli->keep_going || mesh2d_is_affordable(&in);
-  stage_end(&j->stats);
-  if (!affordable) {
-    free(face);
-    return;
-  }
-  bool joint = j->options.Mesh_MinimumAngle > 0 || j->options.Mesh_ConformingDelaunay;
-  stage_begin(&j->stats, "mesh 2D");
-  j->failed_faces = joint ? mesh2d_joint_run(&in, j->curves, en, face) : mesh2d_run(&in, en, face);
-  stage_end(&j->stats);
-  for (size_t k = 0; k < n; k++) j->matching_seconds += face[k].matching_seconds;
-  if ((!j->failed_faces || j->cli->keep_going) && few_enough(j, face, n)) {
-    stage_begin(&j->stats, "assemble");
-    j->mesh = mesh_assemble(j->model, j->curves, en, face, &j->options);
-    j->node_size = mesh_assemble_sizes(j->model, j->curves, en, face);
-    stage_end(&j->stats);
-  }
-  for (size_t k = 0; k < n; k++) face_mesh_free(&face[k]);
-  free(face);
-}
-
-// Mesh up to a dimension; false after an error that leaves no mesh.
-static bool generate(Job *j, int dim)
-{
-  drop_mesh(j);
-  j->reshaped = false;
-  stage_begin(&j->stats, "model");
-  if (j->options.Mesh_Heal) model_coherence(j->model, j->diag); // duplicates of points leave loops open otherwise
-  bool good = model_prepare(j->model, j->options.Geometry_Tolerance, j->diag);
-  stage_end(&j->stats);
-  if (!good) return false;
-  if (dim == 3) log_info(j->diag, "volumes are not meshed: meshing points, curves and surfaces only");
-  SizeField *size;
-  stage_begin(&j->stats, "mesh 1D");
-  j->curves = mesh1d_heal(j->model, &j->options, j->fields, &size, j->diag);
-  if (j->curves && dim >= 2) mesh1d_limit_faces(j->curves, size);
-  stage_end(&j->stats);
-  if (j->curves && j->curves->rounds)
-    log_info(j->diag, "edges on curves crossed: %u of them halved in %u rounds, none crosses now", j->curves->nsplit, j->curves->rounds);
-  if (j->curves) {
-    EdgeNodes en;
-    BoundaryLayers *layers = dim >= 2 ? boundary_layers_new(j->model, j->fields, &j->options, j->curves, j->diag) : NULL;
-    edge_nodes_init(&en, j->model, j->curves);
-    if (dim >= 2)
-      mesh_faces(j, size, &en, layers);
-    else
-      j->mesh = mesh_assemble(j->model, dim >= 1 ? j->curves : NULL, &en, NULL, &j->options);
-    edge_nodes_free(&en);
-    boundary_layers_free(layers);
-  }
-  size_free(size);
-  if (j->mesh) j->mesh_dim = MIN(dim, 2);
-  if (j->mesh) finish_mesh(j, dim);
-  return j->mesh != NULL;
-}
-
-// ---- what a script may ask for in the middle ------------------------------------------------------------------------
-// Split every element, whatever the order of the mesh, which stays.
-static void split_elements(Job *j, Subdivision how)
-{
-  int order = 1;
-  for (size_t i = 0; i < j->mesh->nblock; i++) order = MAX(order, elem_order(j->mesh->block[i].type));
-  if (order > 1) set_order(j, 1);
-  subdivide(j, how);
-  if (order > 1) set_order(j, order);
-}
-
-// RecombineMesh: the faces are meshed once more, to be recombined.
-static bool recombine(Job *j)
-{
-  int all = j->options.Mesh_RecombineAll;
-  j->options.Mesh_RecombineAll = 1;
-  bool good = generate(j, j->mesh_dim);
-  j->options.Mesh_RecombineAll = all;
-  j->reshaped = true;
-  return good;
-}
-
-static bool host_mesh(void *ctx, MeshCommand what, double number, const char *text, SrcLoc loc)
-{
-  Job *j = ctx;
-  (void)text;
-  switch (what) {
-  case MESH_GENERATE: return generate(j, number < 1 ? 0 : number < 2 ? 1 : number < 3 ? 2 : 3);
-  case MESH_DELETE: drop_mesh(j); return true;
-  case MESH_RENUMBER_NODES:
-  case MESH_RENUMBER_ELEMENTS: return true; // always numbered consecutively
-  case MESH_OPTIMIZE: return true;          // every mesh is optimized as it is made
-  case MESH_REFINE:
-  case MESH_BARYCENTRIC:
-  case MESH_RECOMBINE:
-  case MESH_SET_ORDER:
-  case MESH_PARTITION: break;
-  }
-  if (!j->mesh) {
-    diag_warning(j->diag, loc, "there is no mesh yet, so nothing is done: say Mesh 2; before");
-    return true;
-  }
-  if (what == MESH_RECOMBINE) return recombine(j);
-  j->reshaped = true;
-  if (what == MESH_SET_ORDER) {
-    if (number >= 1 && number < HIGH_ORDER_MAX + 1) return set_order(j, (int)number), true;
-    diag_error(j->diag, loc, "SetOrder: the order must be 1 to %d", HIGH_ORDER_MAX);
-    return false;
-  }
-  if (what == MESH_REFINE || what == MESH_BARYCENTRIC) {
-    split_elements(j, what == MESH_REFINE ? SUBDIVIDE_HALVE : SUBDIVIDE_BARYCENTRIC);
-    return true;
-  }
-  if (number >= 0 && number <= INT32_MAX) return partition(j, (int)number);
-  diag_error(j->diag, loc, "PartitionMesh: the number of parts must be 0 or more, not %g", number);
-  return false;
-}
-
-static bool host_save(void *ctx, const char *path, SrcLoc loc)
-{
-  Job *j = ctx;
-  if (!j->mesh) {
-    diag_warning(j->diag, loc, "Save: there is no mesh yet, so nothing is written: say Mesh 2; before");
-    return true;
-  }
-  const Format *f = format_of_path(path);
-  return output_mesh(j, path, f ? format_name(f) : "msh") == EXIT_GOOD;
-}
-
-static void host_print(void *ctx, const char *text)
-{
-  Job *j = ctx;
-  if (diag_level(j->diag) >= LOG_PRINTF) fprintf(j->out, "%s\n", text);
-}
-
-// Surface elements of so many corners.
-static size_t count_corners(const Mesh *m, int corners)
-{
-  size_t n = 0;
-  for (size_t b = 0; b < m->nblock; b++)
-    if (elem_corners(m->block[b].type) == corners && elem_dim(m->block[b].type) == 2) n += m->block[b].n;
-  return n;
-}
-
-// Least, mean and largest quality: gamma of triangles, eta of quadrangles.
-static void qualities(const Mesh *m, double to[3])
-{
-  MeshStats s;
-  mesh_stats_make(&s, m, NULL);
-  size_t n = s.gamma.n + s.eta.n;
-  to[0] = !s.gamma.n ? s.eta.min : !s.eta.n ? s.gamma.min : fmin(s.gamma.min, s.eta.min);
-  to[1] = n ? (s.gamma.mean * (double)s.gamma.n + s.eta.mean * (double)s.eta.n) / (double)n : 0;
-  to[2] = fmax(s.gamma.n ? s.gamma.max : 0, s.eta.n ? s.eta.max : 0);
-  mesh_stats_free(&s);
-}
-
-static bool host_statistic(void *ctx, const char *key, double *value)
-{
-  Job *j = ctx;
-  static const char *const quality[] = {"MinQuality", "AvgQuality", "MaxQuality"};
-  if (!j->mesh) return false;
-  if (strcmp(key, "NbNodes") == 0)
-    *value = (double)j->mesh->nnode;
-  else if (strcmp(key, "NbTriangles") == 0)
-    *value = (double)count_corners(j->mesh, 3);
-  else if (strcmp(key, "NbQuadrangles") == 0)
-    *value = (double)count_corners(j->mesh, 4);
-  else if (strcmp(key, "CpuTime") == 0)
-    *value = time_cpu();
-  else {
-    size_t i = 0;
-    while (i < ARRAY_LEN(quality) && strcmp(key, quality[i]) != 0) i++;
-    if (i == ARRAY_LEN(quality)) return false;
-    double q[3];
-    qualities(j->mesh, q);
-    *value = q[i];
-  }
-  return true;
-}
-
-static bool host_system(void *ctx, const char *command, SrcLoc loc)
-{
-  Job *j = ctx;
-  fflush(j->out);
-  if (system(command) == 0) return true;
-  diag_warning(j->diag, loc, "the command failed: %s", command);
-  return true;
-}
-
-// ---- one input --------------------------------------------------------------------------------------------------------
 static void job_init(Job *j, const Cli *c, const char *input, Diag *diag, int threads)
 {
   *j = (Job){.cli = c, .input = input, .diag = diag, .mesh_dim = -1, .threads = threads};
@@ -306,14 +26,13 @@ static void job_init(Job *j, const Cli *c, const char *input, Diag *diag, int th
   options_set_string(&j->options, options_find("General", "FileName"), input, NO_LOC, diag);
   j->model = model_new();
   j->fields = fields_new();
-  j->host = (ScriptHost){.ctx = j, .mesh = host_mesh, .save = host_save, .print = host_print, .statistic = host_statistic,
-                         .system = c->allow_system ? host_system : NULL};
+  j->host = host_of_job(j);
   j->script = script_new(j->model, &j->options, j->fields, diag, &j->host);
 }
 
 static void job_free(Job *j)
 {
-  drop_mesh(j);
+  job_mesh_drop(j);
   script_free(j->script);
   fields_free(j->fields);
   model_free(j->model);
@@ -393,14 +112,15 @@ static ExitCode write_and_report(Job *j, bool wanted)
   if (status == EXIT_GOOD && wanted)
     status = report_print(j, j->node_size, to_stdout ? stderr : j->out);
   else if (j->summary)
-    *j->summary = (JobSummary){true, j->mesh->nnode, mesh_count(j->mesh, 1), count_corners(j->mesh, 3), count_corners(j->mesh, 4), NAN};
+    *j->summary = (JobSummary){true, j->mesh->nnode, mesh_count(j->mesh, 1), mesh_count_corners(j->mesh, 3),
+                               mesh_count_corners(j->mesh, 4), NAN};
   return status;
 }
 
 // -part and Mesh.NbPartitions; without them what a script or a file has divided stays so.
 static bool partition_if_asked(Job *j)
 {
-  return j->options.Mesh_NbPartitions < 1 || partition(j, j->options.Mesh_NbPartitions);
+  return j->options.Mesh_NbPartitions < 1 || job_mesh_partition(j, j->options.Mesh_NbPartitions);
 }
 
 static ExitCode finish(Job *j)
@@ -442,8 +162,8 @@ static int action_dim(CommandId action) { return action == CMD_MESH1 ? 1 : actio
 
 static void split_if_asked(Job *j)
 {
-  if (j->cli->action == CMD_REFINE) split_elements(j, SUBDIVIDE_HALVE);
-  if (j->cli->action == CMD_BARYCENTRIC) split_elements(j, SUBDIVIDE_BARYCENTRIC);
+  if (j->cli->action == CMD_REFINE) job_mesh_split(j, SUBDIVIDE_HALVE);
+  if (j->cli->action == CMD_BARYCENTRIC) job_mesh_split(j, SUBDIVIDE_BARYCENTRIC);
 }
 
 // -dump_ast: the text is parsed, and not run.
@@ -488,7 +208,7 @@ static ExitCode run_geo(Job *j)
   }
   // What the script has made of its mesh (RefineMesh, SetOrder, ...) stays.
   bool there = j->reshaped && j->mesh && j->mesh_dim >= MIN(action_dim(action), 2);
-  if (!there && !generate(j, action_dim(action))) return EXIT_INPUT;
+  if (!there && !job_mesh_generate(j, action_dim(action))) return EXIT_INPUT;
   if (diag_errors(j->diag) && !j->cli->keep_going) return EXIT_INPUT;
   return finish(j);
 }
@@ -539,6 +259,7 @@ ExitCode pipeline_run_one(const Cli *c, const char *input, Diag *diag, int threa
   j.summary = summary;
   ExitCode status = is_mesh_file(input) ? run_mesh_file(&j) : run_geo(&j);
   if (status == EXIT_GOOD && diag_errors(diag)) status = EXIT_INPUT;
+  diag_flush(diag);
   if (status != EXIT_GOOD && c->json && !j.reported) report_failure(&j, status, out);
   job_free(&j);
   return status;

@@ -475,6 +475,7 @@ ExitCode report_print(Job *j, const double *node_size, FILE *f)
 {
   Report r = {.job = j};
   const Cli *c = j->cli;
+  diag_flush(j->diag);
   mesh_stats_make(&r.stats, j->mesh, node_size);
   if (c->json || c->full_report || c->require.len || c->report) mesh_indices_make(&r.indices, j->mesh);
   if (c->json || c->full_report || c->require.len) mesh_shapes_make(&r.shapes, j->mesh);

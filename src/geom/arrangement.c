@@ -213,11 +213,12 @@ static void nest(ArrBuilder *b)
 
 void arrangement_build(Arrangement *a, const ArrCurve *curve, size_t n, double tol)
 {
-  ArrBuilder b = {a, curve, n, tol, mem_zalloc((n + 1) * sizeof *b.cut)};
+  ArrBuilder b = {a, curve, n, tol, mem_zalloc((n + 1) * sizeof *b.cut), {0}};
   for (size_t i = 0; i < n; i++) {
     arr__node(&b, curve[i].p);
     arr__node(&b, curve[i].q);
   }
+  for (size_t i = 0; i < n; i++) arr__widen_ends(&b, i);
   arr__intersect(&b);
   arr__make_edges(&b);
   link_cycles(&b);
@@ -225,6 +226,7 @@ void arrangement_build(Arrangement *a, const ArrCurve *curve, size_t n, double t
   nest(&b);
   for (size_t i = 0; i < n; i++) vec_free(&b.cut[i]);
   free(b.cut);
+  vec_free(&b.reach);
 }
 
 void arrangement_free(Arrangement *a)

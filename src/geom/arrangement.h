@@ -50,6 +50,7 @@ typedef struct {
 void arrangement_build(Arrangement *a, const ArrCurve *curve, size_t n, double tol);
 void arrangement_free(Arrangement *a);
 
+// The point at parameter u.
 Vec2 arr_curve_at(const ArrCurve *c, double u);
 
 #endif

@@ -86,8 +86,9 @@ static bool apart(const ArrBox *a, const ArrBox *b)
 uint32_t arr__node(ArrBuilder *b, Vec2 p)
 {
   for (size_t i = 0; i < b->a->node.len; i++)
-    if (vec2_length(vec2_sub(b->a->node.data[i], p)) <= b->tol) return (uint32_t)i;
+    if (vec2_length(vec2_sub(b->a->node.data[i], p)) <= b->reach.data[i]) return (uint32_t)i;
   vec_push(&b->a->node, p);
+  vec_push(&b->reach, b->tol);
   return (uint32_t)b->a->node.len - 1;
 }
 
@@ -104,6 +105,20 @@ void arr__meet(ArrBuilder *b, size_t i, size_t j, Vec2 p)
   uint32_t node = arr__node(b, p);
   cut_at(b, i, node);
   cut_at(b, j, node);
+}
+
+// Points of scripts have few digits: the ends of an arc may be a little off its ellipse. What meets it there meets it in its end.
+void arr__widen_ends(ArrBuilder *b, size_t i)
+{
+  const ArrCurve *c = &b->curve[i];
+  if (c->kind != ARR_ARC) return;
+  double most = 1e-3 * vec2_length(vec2_sub(c->p, c->q));
+  for (int end = 0; end < 2; end++) {
+    double t = end ? c->t1 : c->t0;
+    Vec2 p = end ? c->q : c->p, on = vec2_add(c->c, vec2_add(vec2_scale(cos(t), c->a), vec2_scale(sin(t), c->b)));
+    double *reach = &b->reach.data[arr__node(b, p)];
+    *reach = fmax(*reach, fmin(most, 4 * vec2_length(vec2_sub(on, p))));
+  }
 }
 
 static bool within(double u, double slack) { return u >= -slack && u <= 1 + slack; }
@@ -220,7 +235,7 @@ void arr__intersect(ArrBuilder *b)
       Vec2 p = b->a->node.data[v];
       if (p.x < box[i].lo[0] || p.x > box[i].hi[0] || p.y < box[i].lo[1] || p.y > box[i].hi[1]) continue;
       double u = nearest(&b->curve[i], p);
-      if (vec2_length(vec2_sub(arr_curve_at(&b->curve[i], u), p)) <= b->tol) cut_at(b, i, v);
+      if (vec2_length(vec2_sub(arr_curve_at(&b->curve[i], u), p)) <= b->reach.data[v]) cut_at(b, i, v);
     }
   free(box);
 }

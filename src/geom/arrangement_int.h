@@ -23,13 +23,16 @@ typedef struct {
   size_t n;
   double tol;
   ArrCuts *cut; // per curve
+  DoubleVec reach; // per node: what is nearer is this node; more than tol where arcs miss their ends
 } ArrBuilder;
 
 // The box of a curve, larger by tol on all sides; of an arc that of its whole ellipse.
 ArrBox arr__box(const ArrCurve *c, double tol);
 
-// The node at p: one within the tolerance, or a new one. O(nodes)
+// The node at p: one within reach, or a new one. O(nodes)
 uint32_t arr__node(ArrBuilder *b, Vec2 p);
+
+void arr__widen_ends(ArrBuilder *b, size_t i); // the reach of the nodes at the ends of an arc
 
 // Find all intersections: they become nodes, and cuts of their curves. O(n^2)
 void arr__intersect(ArrBuilder *b);

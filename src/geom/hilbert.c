@@ -19,26 +19,24 @@ enum {
 // complemented (c). With u = s ^ c, the bits x, y of the next level change the state by
 //   x == y:  u ^= c ^ !x        x != y:  c ^= u ^ x
 // and the quadrant's number along the curve is 2 x' + (x' ^ y') for the bits x', y' seen in the state.
-// The loop over the points is the inner one, so that the compiler can use vector instructions.
+// The loop over the points is the inner one, in a function of its own, which gcc vectorizes.
+static NOINLINE void next_level(const uint32_t *restrict x, const uint32_t *restrict y, int level, uint32_t *restrict u,
+                                uint32_t *restrict c, uint32_t *restrict key)
+{
+  for (int i = 0; i < BLOCK; i++) {
+    uint32_t a = x[i] >> level & 1, differ = a ^ (y[i] >> level & 1);
+    uint32_t seen = a ^ ((u[i] ^ c[i]) & differ) ^ c[i];
+    key[i] = key[i] << 2 | seen << 1 | differ;
+    u[i] ^= ~differ & (c[i] ^ a ^ 1) & 1;
+    c[i] ^= differ & (u[i] ^ a);
+  }
+}
+
 static void keys_of_block(const uint32_t *restrict x, const uint32_t *restrict y, uint32_t *restrict key)
 {
   uint32_t u[BLOCK] = {0}, c[BLOCK] = {0};
   memset(key, 0, BLOCK * sizeof *key);
-  for (int level = LEVELS - 1; level >= 0; level--)
-    for (int i = 0; i < BLOCK; i++) {
-      uint32_t a = x[i] >> level & 1, differ = a ^ (y[i] >> level & 1);
-      uint32_t seen = a ^ ((u[i] ^ c[i]) & differ) ^ c[i];
-      key[i] = key[i] << 2 | seen << 1 | differ;
-      u[i] ^= ~differ & (c[i] ^ a ^ 1) & 1;
-      c[i] ^= differ & (u[i] ^ a);
-    }
-}
-
-uint32_t hilbert_key(uint32_t x, uint32_t y)
-{
-  uint32_t xs[BLOCK] = {x}, ys[BLOCK] = {y}, key[BLOCK];
-  keys_of_block(xs, ys, key);
-  return key[0];
+  for (int level = LEVELS - 1; level >= 0; level--) next_level(x, y, level, u, c, key);
 }
 
 // An item to sort: key in the upper half, index of the point in the lower.

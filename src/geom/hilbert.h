@@ -9,10 +9,7 @@
 extern "C" {
 #endif
 
-// Position along the Hilbert curve of the cell (x, y), both below 2^16, of a 2^16 x 2^16 grid [book §3.3.4].
-uint32_t hilbert_key(uint32_t x, uint32_t y);
-
-// Fill order[0..n) with the indices of the points xy[2n] along the curve over their bounding square, and key[0..n)
+// Fill order[0..n) with the indices of the points xy[2n] along the Hilbert curve [book §3.3.4] over their bounding square, and key[0..n)
 // (may be NULL) with the cells in that order, ascending. Points in one cell follow a curve over their own square, and so on
 // down; equal points are neighbours, by index. scratch: 2n words, or NULL. The sequence of coordinates does not depend on the order of the
 // input, nor on threads (0: one per processor). Coordinates must be finite. O(n) but for absurd ranges of exponents.

@@ -16,7 +16,7 @@ typedef double (*NearestOnPiece)(void *ctx, uint32_t curve, double u0, double u1
 Nearest *nearest_new(NearestOnPiece on_piece, void *ctx); // NULL, NULL if there are no bent pieces
 void nearest_free(Nearest *n);                            // NULL is fine
 void nearest_add(Nearest *n, Vec3 a, Vec3 b, double bulge, uint32_t curve, double u0, double u1); // bulge 0: straight
-size_t nearest_count(const Nearest *n);
+size_t nearest_count(const Nearest *n);                   // pieces added
 // Order the pieces along a Hilbert curve, make capsules over them and a grid of starts for searches. O(n log n).
 void nearest_build(Nearest *n);
 

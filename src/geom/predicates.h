@@ -73,9 +73,9 @@ static inline int lex_compare(const double *a, const double *b)
 
 // Bounds of the filters (derived in docs/internals/delaunay.md, after [Shewchuk97]); eps = 2^-53.
 #define ORIENT_BOUND 3.3306690738754716e-16   // (3 + 16 eps) eps
-#define ORIENT_TINY 0x1p-1070                 // more than what underflow can add to it
+#define ORIENT_TINY 0x1p-900                  // more than underflow can add; larger, as subnormal numbers are slow
 #define INCIRCLE_BOUND 3.8e-16                // (10 + 96 eps) eps / 3, rounded up
-#define INCIRCLE_TINY 0x1p-1066               // times 1 + |lift|
+#define INCIRCLE_TINY 0x1p-900                // times 1 + |lift|
 
 // +1 if a, b, c make a left turn (counterclockwise), 0 if collinear, -1 for a right turn [book eq. 3.2].
 static inline int orient2d_count(const double *a, const double *b, const double *c, PredCount *count)

@@ -12,6 +12,7 @@ typedef struct {
   double area;
 } TriShape;
 
+// In the plane.
 TriShape shape_plane(Vec2 p, Vec2 q, Vec2 r);
 // In space; the area has the sign of the triangle's normal against `normal`, or is positive if normal is (0,0,0).
 TriShape shape_space(Vec3 p, Vec3 q, Vec3 r, Vec3 normal);
@@ -46,7 +47,7 @@ typedef struct {
 
 static inline double size_scaled(void *ctx, Vec2 p)
 {
-  const ScaledSize *s = ctx;
+  const ScaledSize *s = (const ScaledSize *)ctx;
   return s->factor * s->size(s->ctx, p);
 }
 

@@ -12,7 +12,9 @@ static double corner(Vec2 prev, Vec2 at, Vec2 next)
   return angle < 0 ? angle + 2 * PI : angle;
 }
 
-void quad_angles(Vec2 a, Vec2 b, Vec2 c, Vec2 d, double angle[4])
+// Interior angles at a, b, c, d in radians, in [0, 2 pi): over pi where the corner is reentrant or the quad inverted.
+// 0 where two neighbouring corners coincide.
+static void angles_of(Vec2 a, Vec2 b, Vec2 c, Vec2 d, double angle[4])
 {
   angle[0] = corner(d, a, b);
   angle[1] = corner(a, b, c);
@@ -23,7 +25,7 @@ void quad_angles(Vec2 a, Vec2 b, Vec2 c, Vec2 d, double angle[4])
 double quad_eta_signed(Vec2 a, Vec2 b, Vec2 c, Vec2 d)
 {
   double angle[4], worst = 0;
-  quad_angles(a, b, c, d, angle);
+  angles_of(a, b, c, d, angle);
   for (int i = 0; i < 4; i++) worst = fmax(worst, fabs(PI / 2 - angle[i]));
   return 1 - 2 / PI * worst;
 }

@@ -6,10 +6,6 @@
 #include "base/base.h"
 #include "geom/vec.h"
 
-// Interior angles at a, b, c, d in radians, in [0, 2 pi): over pi where the corner is reentrant or the quad inverted.
-// 0 where two neighbouring corners coincide.
-void quad_angles(Vec2 a, Vec2 b, Vec2 c, Vec2 d, double angle[4]);
-
 // eta = 1 - 2/pi max |pi/2 - angle| [book eq. 5.5] without its lower bound of 0: 1 for a rectangle, 0 or less where an angle
 // is 0 or >= pi, at least -2.
 double quad_eta_signed(Vec2 a, Vec2 b, Vec2 c, Vec2 d);

@@ -36,7 +36,7 @@ static void add_curve_segments(const Planner *p, const Face *f, int tag, SegVec 
   const CurveMesh *cm = &p->curves->curve[k];
   const LayerField *lf = field_of(p, f, abs(tag));
   for (uint32_t i = 0; i + 1 < cm->n; i++) {
-    uint32_t from = tag > 0 ? i : cm->n - 1 - i, to = tag > 0 ? i + 1 : cm->n - 2 - i;
+    uint32_t from = tag >= 0 ? i : cm->n - 1 - i, to = tag >= 0 ? i + 1 : cm->n - 2 - i;
     vec_push(seg, ((Seg){k, from, to, face_to_plane(f, cm->p[from]), face_to_plane(f, cm->p[to]), lf}));
   }
 }

@@ -27,7 +27,7 @@ typedef struct {
   double matching_seconds; // processor time of the matching of triangles to quadrangles
 } FaceMesh;
 
-void face_mesh_free(FaceMesh *f);
+void face_mesh_free(FaceMesh *f); // its arrays, not f itself
 
 // Number the nodes of points and curves.
 void edge_nodes_init(EdgeNodes *en, const Model *m, const Mesh1d *curves);

@@ -130,7 +130,8 @@ uint32_t edge_table_find(const EdgeTable *t, uint32_t entity, uint32_t a, uint32
   return own != NONE ? own : map_get(&t->index, map_pair(a, b));
 }
 
-uint32_t edge_table_find_line(const EdgeTable *t, uint32_t curve, uint32_t a, uint32_t b)
+// Of a curve's line element {a, b}.
+static uint32_t find_line(const EdgeTable *t, uint32_t curve, uint32_t a, uint32_t b)
 {
   return t->loose[curve] ? map_get(&t->loose_index, (uint64_t)curve << 32 | a) : edge_table_find(t, NONE, a, b);
 }
@@ -264,7 +265,7 @@ uint32_t enriched_at(const Enriched *e, const EdgeTable *t, int per_edge, uint32
 
 uint32_t enriched_on_line(const Enriched *e, const EdgeTable *t, int per_edge, uint32_t curve, uint32_t a, uint32_t b, int k)
 {
-  return added_node(e, t, per_edge, edge_table_find_line(t, curve, a, b), a, k);
+  return added_node(e, t, per_edge, find_line(t, curve, a, b), a, k);
 }
 
 uint32_t *enriched_block(Enriched *e, uint32_t entity, ElemType type, size_t n)

@@ -33,7 +33,6 @@ void edge_table_make(EdgeTable *t, const Mesh *m);
 void edge_table_free(EdgeTable *t);
 // The edge between a and b of face `entity` (NONE: of any face), or of a curve that faces list; or NONE.
 uint32_t edge_table_find(const EdgeTable *t, uint32_t entity, uint32_t a, uint32_t b);
-uint32_t edge_table_find_line(const EdgeTable *t, uint32_t curve, uint32_t a, uint32_t b); // of a curve's line element {a, b}
 
 // Position at fraction s of an edge: on its curve at the parameter between its ends, if it has one and `model` is not NULL; else
 // on the straight line.

@@ -12,6 +12,7 @@ typedef struct {
   size_t *base; // nblock + 1 entries
 } ElemIds;
 
+// O(nblock); release with elem_ids_free.
 void elem_ids_make(ElemIds *ids, const Mesh *m);
 void elem_ids_free(ElemIds *ids);
 // The block of an element; O(log nblock).

@@ -92,12 +92,3 @@ int elem_symmetry(ElemType t, int rotation, bool flip, uint8_t perm[ELEM_MAX_NOD
   return n;
 }
 
-int elem_type_of(int dim, int corners, int nodes)
-{
-  static const uint8_t types[] = {15, 1, 8, 26, 27, 2, 9, 20, 21, 23, 3, 16, 10, 39, 36, 37};
-  for (size_t i = 0; i < ARRAY_LEN(types); i++) {
-    ElemType t = (ElemType)types[i];
-    if (elem_dim(t) == dim && elem_nodes(t) == nodes && (dim < 2 || elem_corners(t) == corners)) return t;
-  }
-  return 0;
-}

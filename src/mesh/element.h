@@ -15,8 +15,4 @@ int elem_lattice(ElemType t, uint8_t ij[ELEM_MAX_NODES][2]);
 // opposite orientation (about that corner). For lines only flip counts. Returns the number of nodes.
 int elem_symmetry(ElemType t, int rotation, bool flip, uint8_t perm[ELEM_MAX_NODES]);
 
-// Type of a dimension with so many nodes ({2, 6} is ELEM_TRI6), by shape: corners 3 or 4 decides in dimension 2.
-// 0 if there is none.
-int elem_type_of(int dim, int corners, int nodes);
-
 #endif

@@ -53,7 +53,7 @@ static int sense_in_loop(const Model *m, const Face *f, int tag)
   int sense = 0;
   face_boundary(m, f, &curve, &start);
   for (size_t i = 0; i < curve.len && !sense; i++)
-    if (abs(curve.data[i]) == abs(tag)) sense = curve.data[i] > 0 ? 1 : -1;
+    if (abs(curve.data[i]) == abs(tag)) sense = curve.data[i] >= 0 ? 1 : -1;
   vec_free(&curve);
   vec_free(&start);
   return sense;
@@ -209,7 +209,7 @@ static bool fill(const Sweeping *s, FaceMesh *out)
       }
     }
   bool quads = s->f->layers.recombine || s->f->recombine || s->in->options->Mesh_RecombineAll;
-  face_mesh_from_grid(out, nu, nv, id, flip ? ARRANGE_LEFT : ARRANGE_RIGHT, fan, s->mirror != flip, quads);
+  face_mesh_from_grid(out, &(GridCells){nu, nv, id, flip ? ARRANGE_LEFT : ARRANGE_RIGHT, fan, s->mirror != flip}, quads);
   free(id);
   return true;
 }

@@ -40,7 +40,7 @@ typedef enum {
   CLUSTER_LIMIT, // more triangles than allowed
 } ClusterOutcome;
 
-void face_cluster_free(FaceCluster *c);
+void face_cluster_free(FaceCluster *c); // what it holds, not c itself
 
 // Mesh the faces, anew if they were meshed before: the empty mesh, refinement by the options (Mesh.MinimumAngle,
 // Mesh.ConformingDelaunay), optimization. The curves get the nodes that were put on them; `nodes`, which must be that of the curves

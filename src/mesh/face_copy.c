@@ -57,7 +57,7 @@ static void pairs_of_curves(const Model *m, const Face *f, PlacePairs *pairs)
     int master = c->periodic_master ? c->periodic_master : c->copy_of;
     const Curve *o = master ? model_curve(m, master) : NULL;
     if (!o) continue;
-    int begin = master > 0 ? o->begin : o->end, end = master > 0 ? o->end : o->begin;
+    int begin = master >= 0 ? o->begin : o->end, end = master >= 0 ? o->end : o->begin;
     vec_push(pairs, ((PlacePair){model_point(m, begin)->xyz, model_point(m, c->begin)->xyz}));
     vec_push(pairs, ((PlacePair){model_point(m, end)->xyz, model_point(m, c->end)->xyz}));
   }

@@ -219,14 +219,31 @@ static bool embedded_inside(const Tri *t, const FaceGraph *g, const Model *m, co
   return good;
 }
 
+// The point or curve that vertex v is a node of.
+static const char *owner_of(const FaceGraph *g, const Model *m, uint32_t v, int *tag)
+{
+  if (g->node.data[v] < model_points(m)) {
+    *tag = model_point_at(m, g->node.data[v])->tag;
+    return "point";
+  }
+  size_t i = 0;
+  while (i + 1 < g->ends.len && g->ends.data[i] != v) i++;
+  *tag = g->curve.data[i / 2];
+  return "curve";
+}
+
 // Distinct nodes at one place cannot both be vertices: name the place.
-static bool no_duplicates(const U32Vec *dup, const FaceGraph *g, const Face *f, Diag *diag)
+static bool no_duplicates(const U32Vec *dup, const FaceGraph *g, const Model *m, const Face *f, Diag *diag)
 {
   if (!dup->len) return true;
-  const double *p = &g->xy.data[2 * dup->data[0]];
+  uint32_t v = dup->data[0], w = 0;
+  const double *xy = g->xy.data, *p = xy + 2 * v;
+  while (w + 1 < g->node.len && (w == v || xy[2 * w] != p[0] || xy[2 * w + 1] != p[1])) w++;
+  int tag[2];
+  const char *owner[2] = {owner_of(g, m, w, &tag[0]), owner_of(g, m, v, &tag[1])};
   Vec3 q = face_from_plane(f, (Vec2){p[0], p[1]});
-  diag_error(diag, f->loc, "surface %d has %zu nodes that coincide with others, the first at (%g, %g, %g)", f->tag,
-             dup->len, q.x, q.y, q.z);
+  diag_error(diag, f->loc, "surface %d has %zu node%s that coincide%s with others, the first at (%g, %g, %g): of %s %d and of %s %d",
+             f->tag, dup->len, dup->len > 1 ? "s" : "", dup->len > 1 ? "" : "s", q.x, q.y, q.z, owner[0], tag[0], owner[1], tag[1]);
   diag_note(diag, NO_LOC, "curves that are to be joined must share their end points; Coherence; merges equal ones");
   return false;
 }
@@ -240,7 +257,7 @@ bool face_graph_recover(const FaceGraph *g, const Model *m, const Face *f, Tri *
   if (r == TRI_BUILD_NOT_FINITE)
     diag_error(diag, f->loc, "surface %d has a node whose coordinates are not finite numbers", f->tag);
   if (r == TRI_BUILD_TOO_MANY) diag_error(diag, f->loc, "surface %d has too many nodes", f->tag);
-  good = good && no_duplicates(&dup, g, f, diag);
+  good = good && no_duplicates(&dup, g, m, f, diag);
   vec_free(&dup);
   if (good && t->dim != 2) {
     diag_error(diag, f->loc, "surface %d has no area: its boundary nodes lie on a line", f->tag);

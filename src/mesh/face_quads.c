@@ -46,16 +46,13 @@ double face_quads_size_factor(const Face *f, const Options *o, bool coarse)
 
 // ---- in -----------------------------------------------------------------------------------------------------------------
 typedef struct {
-  const Tri *tri;
-  const FaceGraph *graph;
-  const FaceMap *map;
-  const FaceSizes *sizes;
+  FaceTriangles in;
   QuadMesh mesh;
 } Work;
 
 static void take_triangles(Work *w)
 {
-  const Tri *t = w->tri;
+  const Tri *t = w->in.tri;
   U32Vec tri = {0}, locked = {0};
   for (TriId k = 0; k < t->nt; k++) {
     if (!tri_is_inside(t, k)) continue;
@@ -67,9 +64,9 @@ static void take_triangles(Work *w)
     }
   }
   uint8_t *fixed = mem_zalloc(t->nv);
-  memset(fixed, 1, w->graph->node.len);
+  memset(fixed, 1, w->in.graph->node.len);
   quad_mesh_init(&w->mesh, t->xy, fixed, t->nv, tri.data, tri.len / 3, locked.data, locked.len / 2);
-  quad_mesh_set_sizes(&w->mesh, w->sizes->vertex);
+  quad_mesh_set_sizes(&w->mesh, w->in.sizes.vertex);
   free(fixed);
   vec_free(&tri);
   vec_free(&locked);
@@ -79,9 +76,9 @@ static void take_triangles(Work *w)
 static bool middle_place(void *ctx, uint32_t a, uint32_t b, Vec2 *p)
 {
   const Work *w = ctx;
-  uint32_t i = map_get(&w->graph->middle, map_pair(a, b));
+  uint32_t i = map_get(&w->in.graph->middle, map_pair(a, b));
   if (i == NONE) return false;
-  *p = (Vec2){w->graph->middle_xy.data[2 * (size_t)i], w->graph->middle_xy.data[2 * (size_t)i + 1]};
+  *p = (Vec2){w->in.graph->middle_xy.data[2 * (size_t)i], w->in.graph->middle_xy.data[2 * (size_t)i + 1]};
   return true;
 }
 
@@ -89,7 +86,7 @@ static QuadParams quad_params(const Face *f, const Options *o, Work *w)
 {
   QuadParams p = quad_params_default();
   int a = o->Mesh_RecombinationAlgorithm;
-  if (!w->graph->coarse && a >= QUAD_FULL_GREEDY) a = QUAD_BLOSSOM; // a curve with an odd number of edges cannot be halved
+  if (!w->in.graph->coarse && a >= QUAD_FULL_GREEDY) a = QUAD_BLOSSOM; // a curve with an odd number of edges cannot be halved
   p.algorithm = (QuadAlgorithm)a;
   p.angle = f->recombine_angle > 0 ? f->recombine_angle : 45;
   p.cleanup = o->Mesh_RecombineOptimizeTopology;
@@ -106,7 +103,7 @@ static uint32_t *number_vertices(const Work *w, uint32_t base, FaceMesh *out)
 {
   const QuadMesh *q = &w->mesh;
   size_t n = q->xy.len, before = out->nown;
-  uint32_t *id = mem_alloc(n * sizeof *id), nlocal = (uint32_t)w->graph->node.len;
+  uint32_t *id = mem_alloc(n * sizeof *id), nlocal = (uint32_t)w->in.graph->node.len;
   bool *used = mem_zalloc(n * sizeof *used);
   for (size_t i = 0; i < q->vertex.len; i++)
     if (q->vertex.data[i] != NONE) used[q->vertex.data[i]] = true;
@@ -115,20 +112,20 @@ static uint32_t *number_vertices(const Work *w, uint32_t base, FaceMesh *out)
   for (size_t i = 0; i < before; i++) out->size[i] = NAN;
   for (size_t v = 0; v < n; v++) {
     uint32_t from = q->from.data[v], a = q->parent.data[2 * v], b = q->parent.data[2 * v + 1];
-    uint32_t middle = from == NONE && a != NONE ? map_get(&w->graph->middle, map_pair(a, b)) : NONE;
+    uint32_t middle = from == NONE && a != NONE ? map_get(&w->in.graph->middle, map_pair(a, b)) : NONE;
     id[v] = NONE;
     if (!used[v]) continue;
     if (from < nlocal) {
-      id[v] = w->graph->node.data[from];
+      id[v] = w->in.graph->node.data[from];
     } else if (middle != NONE) {
-      id[v] = w->graph->middle_node.data[middle];
+      id[v] = w->in.graph->middle_node.data[middle];
     } else {
       id[v] = base + (uint32_t)out->nown;
       Vec2 p = q->xy.data[v];
-      double h = w->sizes->extended ? quad_mesh_size(q, (uint32_t)v, p) : INFINITY;
-      if (w->sizes->at) h = fmin(h, w->sizes->at(w->sizes->ctx, p));
-      out->size[out->nown] = w->map->filling ? h * filling_stretch(w->map->filling, p) : h;
-      out->own[out->nown++] = face_map_point(w->map, q->xy.data[v]);
+      double h = w->in.sizes.extended ? quad_mesh_size(q, (uint32_t)v, p) : INFINITY;
+      if (w->in.sizes.at) h = fmin(h, w->in.sizes.at(w->in.sizes.ctx, p));
+      out->size[out->nown] = w->in.map->filling ? h * filling_stretch(w->in.map->filling, p) : h;
+      out->own[out->nown++] = face_map_point(w->in.map, q->xy.data[v]);
     }
   }
   free(used);
@@ -147,21 +144,21 @@ static void put_elements(const QuadMesh *q, const uint32_t *id, FaceMesh *out)
   }
 }
 
-bool face_quads(const Tri *t, const FaceGraph *g, const FaceMap *map, const Options *o, uint32_t base,
-                const FaceSizes *sizes, FaceMesh *out, size_t *excess, Diag *diag)
+bool face_quads(const FaceTriangles *from, const Options *o, uint32_t base, FaceMesh *out, size_t *excess, Diag *diag)
 {
-  Work w = {.tri = t, .graph = g, .map = map, .sizes = sizes};
+  Work w = {.in = *from};
+  const Face *f = from->map->face;
   take_triangles(&w);
-  QuadParams p = quad_params(map->face, o, &w);
+  QuadParams p = quad_params(f, o, &w);
   QuadReport report = {0};
   quad_recombine(&w.mesh, &p, &report);
-  if (report.inverted && g->coarse) {
+  if (report.inverted && from->graph->coarse) {
     quad_mesh_free(&w.mesh);
     return false;
   }
   bool said = p.algorithm != QUAD_GREEDY && o->Mesh_SubdivisionAlgorithm != 1; // which splits them all
   if (report.triangles && said)
-    diag_warning(diag, map->face->loc, "surface %d keeps %zu triangle%s: %s", map->face->tag, report.triangles,
+    diag_warning(diag, f->loc, "surface %d keeps %zu triangle%s: %s", f->tag, report.triangles,
                  report.triangles == 1 ? "" : "s",
                  report.cut                              ? "quadrangles there would not be convex"
                  : report.triangles > report.odd_parts ? "there are no pairs that would be convex quadrangles"

@@ -29,11 +29,18 @@ typedef struct {
   bool extended;         // what the boundary carries inside is at the vertices, too, and bounds what `at` says
 } FaceSizes;
 
-// What extract is for triangles: the triangles of t that are inside, recombined, appended to out. g is the graph that t was made from,
-// base the number of nodes of points and curves. Warns where triangles remain although quadrangles only were asked for; *excess are those
-// that no odd number of edges explains. False, with out as it was, if g is coarse and the nodes left out, put back on the curves,
+// A face in triangles: its triangulation, and the graph that this was made from.
+typedef struct {
+  const Tri *tri;
+  const FaceGraph *graph;
+  const FaceMap *map;
+  FaceSizes sizes;
+} FaceTriangles;
+
+// What extract is for triangles: those that are inside, recombined, appended to out. base: the number of nodes of points and curves.
+// Warns where triangles remain although quadrangles only were asked for; *excess are those
+// that no odd number of edges explains. False, with out as it was, if the graph is coarse and the nodes left out, put back on the curves,
 // turn elements over: then the face is to be meshed with all its boundary nodes.
-bool face_quads(const Tri *t, const FaceGraph *g, const FaceMap *map, const Options *o, uint32_t base,
-                const FaceSizes *sizes, FaceMesh *out, size_t *excess, Diag *diag);
+bool face_quads(const FaceTriangles *from, const Options *o, uint32_t base, FaceMesh *out, size_t *excess, Diag *diag);
 
 #endif

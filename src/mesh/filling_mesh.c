@@ -27,7 +27,7 @@ void filling_place(const Filling *s, const Mesh2dInput *in, const Face *f, const
     for (size_t i = 0; i < cm->n; i++) {
       uint32_t v = map_get(&g->local, edge_nodes_at(en, in->model, in->curves, index, i));
       if (v == NONE) continue;
-      Vec2 q = filling_to_plane(s, filling_side(s, k, tag > 0 ? cm->u[i] : 1 - cm->u[i]));
+      Vec2 q = filling_to_plane(s, filling_side(s, k, tag >= 0 ? cm->u[i] : 1 - cm->u[i]));
       g->xy.data[2 * v] = q.x;
       g->xy.data[2 * v + 1] = q.y;
     }

@@ -122,20 +122,23 @@ static bool first_to_third(TransfiniteArrangement how, size_t i, size_t j)
   UNREACHABLE();
 }
 
-static uint32_t *put_fan(size_t nv, const uint32_t *id, bool mirror, uint32_t *t)
+// The triangles of the cells of i = 0, if they are a fan.
+static uint32_t *put_fan(const GridCells *g, uint32_t *t)
 {
-  for (size_t j = 0; j < nv; j++) t = put3(t, mirror, id[0], id[nv + 1 + j], id[nv + 2 + j]);
+  const uint32_t *id = g->id + g->nv + 1;
+  for (size_t j = 0; g->fan && j < g->nv; j++) t = put3(t, g->mirror, g->id[0], id[j], id[j + 1]);
   return t;
 }
 
-size_t grid_triangles(size_t nu, size_t nv, const uint32_t *id, TransfiniteArrangement how, bool fan, bool mirror,
-                      uint32_t *tri)
+size_t grid_triangles(const GridCells *g, uint32_t *tri)
 {
-  uint32_t *t = fan ? put_fan(nv, id, mirror, tri) : tri;
-  for (size_t i = fan; i < nu; i++) {
+  size_t nv = g->nv;
+  bool mirror = g->mirror;
+  uint32_t *t = put_fan(g, tri);
+  for (size_t i = g->fan; i < g->nu; i++) {
     for (size_t j = 0; j < nv; j++) {
-      const uint32_t *a = id + i * (nv + 1) + j, *b = a + nv + 1;
-      if (first_to_third(how, i, j)) {
+      const uint32_t *a = g->id + i * (nv + 1) + j, *b = a + nv + 1;
+      if (first_to_third(g->how, i, j)) {
         t = put3(t, mirror, a[0], b[0], b[1]);
         t = put3(t, mirror, b[1], a[1], a[0]);
       } else {
@@ -147,14 +150,15 @@ size_t grid_triangles(size_t nu, size_t nv, const uint32_t *id, TransfiniteArran
   return (size_t)(t - tri) / 3;
 }
 
-size_t grid_quads(size_t nu, size_t nv, const uint32_t *id, bool fan, bool mirror, uint32_t *tri, size_t *ntri,
-                  uint32_t *quad)
+size_t grid_quads(const GridCells *g, uint32_t *tri, size_t *ntri, uint32_t *quad)
 {
+  size_t nv = g->nv;
+  bool mirror = g->mirror;
   uint32_t *q = quad;
-  *ntri = fan ? (size_t)(put_fan(nv, id, mirror, tri) - tri) / 3 : 0;
-  for (size_t i = fan; i < nu; i++) {
+  *ntri = (size_t)(put_fan(g, tri) - tri) / 3;
+  for (size_t i = g->fan; i < g->nu; i++) {
     for (size_t j = 0; j < nv; j++, q += 4) {
-      const uint32_t *a = id + i * (nv + 1) + j, *b = a + nv + 1;
+      const uint32_t *a = g->id + i * (nv + 1) + j, *b = a + nv + 1;
       q[0] = a[0];
       q[1] = mirror ? a[1] : b[0];
       q[2] = b[1];

@@ -37,13 +37,18 @@ void grid_triangle(size_t n, const Vec3 *s12, const Vec3 *s23, const Vec3 *s13, 
 // harmonic functions of the place [Winslow66]. O(passes * nodes).
 void grid_smooth(size_t nu, size_t nv, Vec3 *node, int passes);
 
-// Cells to triangles, 6 ids a cell, in the order (i, j) with j fastest, or to quadrangles, 4 ids. id[] is laid out as the nodes.
-// With three corners (`fan`) the cells of i = 0 give one triangle each and come first: in tri[] also when the others are
-// quadrangles. Orientation: counter-clockwise when s1, s2, s3 are; `mirror` turns every element over. Number of elements returned.
-size_t grid_triangles(size_t nu, size_t nv, const uint32_t *id, TransfiniteArrangement how, bool fan, bool mirror,
-                      uint32_t *tri);
-size_t grid_quads(size_t nu, size_t nv, const uint32_t *id, bool fan, bool mirror, uint32_t *tri, size_t *ntri,
-                  uint32_t *quad);
+// The cells of a grid whose nodes have the ids id[], laid out as the nodes are.
+typedef struct {
+  size_t nu, nv;
+  const uint32_t *id;
+  TransfiniteArrangement how;  // of the diagonals
+  bool fan;                    // three corners: the cells of i = 0 are one triangle each
+  bool mirror;                 // every element is turned over; else counter-clockwise when s1, s2, s3 are
+} GridCells;
+// To triangles, 6 ids a cell, in the order (i, j) with j fastest, or to quadrangles, 4 ids. The triangles of a fan come first: in
+// tri[] also when the others are quadrangles. Number of elements returned.
+size_t grid_triangles(const GridCells *g, uint32_t *tri);
+size_t grid_quads(const GridCells *g, uint32_t *tri, size_t *ntri, uint32_t *quad);
 // The n*n triangles of a triangular grid.
 size_t grid_triangle_cells(size_t n, const uint32_t *id, bool mirror, uint32_t *tri);
 

@@ -167,11 +167,11 @@ size_t mesh_count(const Mesh *m, int dim)
   return n;
 }
 
-size_t mesh_count_type(const Mesh *m, ElemType t)
+size_t mesh_count_corners(const Mesh *m, int corners)
 {
   size_t n = 0;
   for (size_t i = 0; i < m->nblock; i++)
-    if (m->block[i].type == t) n += m->block[i].n;
+    if (elem_corners(m->block[i].type) == corners) n += m->block[i].n;
   return n;
 }
 

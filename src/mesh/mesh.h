@@ -86,7 +86,7 @@ typedef struct {
   uint32_t nparts;         // of a partition (mesh/partition.h); 0: none
 } Mesh;
 
-Mesh *mesh_new(void);
+Mesh *mesh_new(void);        // empty; owned by the caller
 void mesh_free(Mesh *m);     // NULL is fine
 
 // Building. Indices are returned; entities must be added in order of (dim, tag), blocks in order of (entity, type).
@@ -102,9 +102,9 @@ void mesh_add_group(Mesh *m, int dim, int tag, const char *name); // name may be
 MeshPeriodic *mesh_add_periodic(Mesh *m, int dim, int tag, int master); // valid until the next one
 
 uint32_t mesh_find_entity(const Mesh *m, int dim, int tag); // index or NONE; O(log n)
-const MeshGroup *mesh_find_group(const Mesh *m, int dim, int tag);
+const MeshGroup *mesh_find_group(const Mesh *m, int dim, int tag); // or NULL; O(ngroup)
 size_t mesh_count(const Mesh *m, int dim);                  // elements of a dimension
-size_t mesh_count_type(const Mesh *m, ElemType t);
+size_t mesh_count_corners(const Mesh *m, int corners);      // of any order: 3 triangles, 4 quadrangles
 // True if some entity, a volume included, is in a physical group: then only elements of such entities are saved, unless all are asked for.
 bool mesh_is_grouped(const Mesh *m);
 static inline Vec3 mesh_xyz(const Mesh *m, uint32_t n)

@@ -65,9 +65,6 @@ uint32_t mesh1d_split(Mesh1d *g, size_t k, uint32_t i, double u);
 // Replace the mesh of curve k (structured meshes, boundary layers): n parameters, 0 first and 1 last. Copied.
 void mesh1d_set(Mesh1d *g, size_t k, const double *u, uint32_t n);
 
-// Find and remove crossings again after other changes: as the last step of mesh1d_new. False after errors.
-bool mesh1d_untangle(Mesh1d *g, const Options *opt, Diag *diag);
-
 // With Mesh.SizeGradation: let the sizes at all nodes limit those inside faces (size_limit_growth).
 void mesh1d_limit_faces(const Mesh1d *g, SizeField *size);
 

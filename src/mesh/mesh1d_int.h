@@ -60,7 +60,8 @@ void mesh1d__release(CurveWork *w);
 // Even numbers of segments around every recombined face. mesh1d_parity.c
 void mesh1d__settle_parity(Mesher1d *d);
 
-// mesh1d_untangle that gathers places where curves may be split, unless `meet` is NULL. False too when there are any.
+// The last step: find and remove crossings of edges. Places where curves may be split are gathered, unless `meet` is NULL. False when
+// there are any, and after errors. mesh1d_untangle.c
 bool mesh1d__untangle(Mesh1d *g, const Options *opt, CurveMeetings *meet, Diag *diag);
 
 // Give g->curve[k] room for n nodes.

@@ -125,13 +125,63 @@ typedef struct {
   size_t excess;   // result: triangles left for want of pairs that are convex
 } Attempt;
 
+// Sizes in the plane of a face that is a filling, which are not the lengths on it.
+static void set_filling_sizes(TriRefineParams *p, FaceMap *map, const Mesh1d *curves)
+{
+  if (p->extend_from_boundary) map->curves = curves;
+  p->extend_from_boundary = false;
+  p->size = filling_size;
+  p->size_ctx = map;
+}
+
+// Refine the empty mesh t, which was made of g, and turn it into the mesh of the face. False as try_plane_face.
+static bool fill_plane_face(const Driver *d, const FaceGraph *g, FaceMap *map, Tri *t, Attempt *attempt, FaceMesh *out, Diag *diag)
+{
+  const Options *o = d->in->options;
+  const Face *f = map->face;
+  SizeInPlane here = {map->eval, f, 0};
+  TriRefineParams p = mesh2d_refine_params(o, f, &here);
+  if (attempt->adapt) p.algorithm = REFINE_ADAPT;
+  if (map->filling) set_filling_sizes(&p, map, d->in->curves);
+  ScaledSize scaled = {p.size, p.size_ctx, face_quads_size_factor(f, o, g->coarse) * attempt->finer};
+  if (scaled.factor != 1) {
+    p.size = size_scaled;
+    p.size_ctx = &scaled;
+    p.carried_factor = attempt->finer * face_quads_single_factor(o, g->coarse); // a coarse boundary is of double size itself
+  }
+  double *sizes = NULL, *bound = embedded_sizes(d, f, g, map->eval);
+  p.vertex_size = bound;
+  p.sizes_out = &sizes;
+  if (!map->filling && !face_is_recombined(f, o)) p.min_angle = o->Mesh_MinimumAngle;
+  p.split = keep_whole;
+  FaceCross cross = {0};
+  face_cross_prepare(&cross, t, &p);
+  TriRefineStats s = tri_refine(t, &p);
+  free(bound);
+  face_cross_free(&cross);
+  if (!attempt->coarse) size_eval_report(map->eval, diag);
+  bool valid = true;
+  if (s.outcome == REFINE_LIMIT) {
+    diag_error(diag, f->loc, "surface %d would have more than %zu triangles (Mesh.MaxElements, -max_elements)", f->tag,
+               p.max_triangles);
+    out->failed = true;
+  } else if (face_is_recombined(f, o)) {
+    for (size_t v = 0; v < t->nv; v++) sizes[v] /= scaled.factor / attempt->finer;
+    FaceTriangles from = {t, g, map, {sizes, scaled.size, scaled.ctx, p.extend_from_boundary}};
+    valid = face_quads(&from, o, (uint32_t)d->nodes->n, out, &attempt->excess, diag);
+  } else {
+    extract(t, g, d, map, sizes, out);
+  }
+  free(sizes);
+  return valid;
+}
+
 // False, with nothing said and nothing made, if a coarse attempt gives no valid mesh: the coarse polygon of a curve of few edges may
 // overlap itself or be far from the curve.
 static bool try_plane_face(const Driver *d, size_t k, SizeEval *eval, Attempt *attempt, FaceMesh *out, Diag *diag)
 {
   const Face *f = model_face_at(d->in->model, k);
-  bool coarse = attempt->coarse;
-  FaceGraph g = {.coarse = coarse};
+  FaceGraph g = {.coarse = attempt->coarse};
   Filling filling;
   FaceMap map = {f, filling_wanted(&filling, d->in->model, f) ? &filling : NULL, eval, NULL};
   if (boundary_layers_on(d->in->layers, k))
@@ -142,50 +192,12 @@ static bool try_plane_face(const Driver *d, size_t k, SizeEval *eval, Attempt *a
   bool valid = true;
   Tri t;
   tri_init(&t);
-  if (face_graph_mesh(&g, d->in->model, f, &t, diag)) {
-    SizeInPlane here = {eval, f, 0};
-    TriRefineParams p = mesh2d_refine_params(d->in->options, f, &here);
-    if (attempt->adapt) p.algorithm = REFINE_ADAPT;
-    if (map.filling) {
-      if (p.extend_from_boundary) map.curves = d->in->curves;
-      p.extend_from_boundary = false; // lengths in the plane of the filling are not those on it
-      p.size = filling_size;
-      p.size_ctx = &map;
-    }
-    ScaledSize scaled = {p.size, p.size_ctx, face_quads_size_factor(f, d->in->options, g.coarse) * attempt->finer};
-    if (scaled.factor != 1) {
-      p.size = size_scaled;
-      p.size_ctx = &scaled;
-      p.carried_factor = attempt->finer * face_quads_single_factor(d->in->options, g.coarse); // a coarse boundary is of double size itself
-    }
-    double *sizes = NULL, *bound = embedded_sizes(d, f, &g, eval);
-    p.vertex_size = bound;
-    p.sizes_out = &sizes;
-    if (!map.filling && !face_is_recombined(f, d->in->options)) p.min_angle = d->in->options->Mesh_MinimumAngle;
-    p.split = keep_whole;
-    FaceCross cross = {0};
-    face_cross_prepare(&cross, &t, &p);
-    TriRefineStats s = tri_refine(&t, &p);
-    free(bound);
-    face_cross_free(&cross);
-    if (!coarse) size_eval_report(eval, diag);
-    if (s.outcome == REFINE_LIMIT) {
-      diag_error(diag, f->loc, "surface %d would have more than %zu triangles (Mesh.MaxElements, -max_elements)", f->tag,
-                 p.max_triangles);
-      out->failed = true;
-    } else if (face_is_recombined(f, d->in->options)) {
-      for (size_t v = 0; v < t.nv; v++) sizes[v] /= scaled.factor / attempt->finer;
-      FaceSizes wanted = {sizes, scaled.size, scaled.ctx, p.extend_from_boundary};
-      valid = face_quads(&t, &g, &map, d->in->options, (uint32_t)d->nodes->n, &wanted, out, &attempt->excess, diag);
-    } else {
-      extract(&t, &g, d, &map, sizes, out);
-    }
-    free(sizes);
-  } else if (coarse) {
+  if (face_graph_mesh(&g, d->in->model, f, &t, diag))
+    valid = fill_plane_face(d, &g, &map, &t, attempt, out, diag);
+  else if (attempt->coarse)
     valid = false;
-  } else {
+  else
     out->failed = true;
-  }
   tri_free(&t);
   face_graph_free(&g);
   return valid;

@@ -30,20 +30,19 @@ void mesh_finding_print(const MeshFinding *f, char *to, size_t cap)
              f->text);
 }
 
-void check__report(Check *c, MeshRule rule, bool warning, uint32_t entity, uint32_t block, size_t element, uint32_t node,
-                   Vec3 at, const char *fmt, ...)
+void check__report(Check *c, MeshRule rule, bool warning, Place where, const char *fmt, ...)
 {
   if (warning)
     c->r->warnings++;
   else
     c->r->errors++;
   if (c->r->count[rule]++ >= MESH_CHECK_MAX) return;
-  MeshFinding f = {.rule = rule, .warning = warning, .node = node, .at = at};
-  if (entity != NONE && entity < c->m->nentity) {
-    f.dim = c->m->entity[entity].dim;
-    f.tag = c->m->entity[entity].tag;
+  MeshFinding f = {.rule = rule, .warning = warning, .node = where.node, .at = where.at};
+  if (where.entity < c->m->nentity) {
+    f.dim = c->m->entity[where.entity].dim;
+    f.tag = c->m->entity[where.entity].tag;
   }
-  if (block != NONE && element != SIZE_MAX) f.element = c->number[block] + element + 1;
+  if (where.block != NONE) f.element = c->number[where.block] + where.element + 1;
   va_list ap;
   va_start(ap, fmt);
   vsnprintf(f.text, sizeof f.text, fmt, ap);
@@ -60,19 +59,19 @@ static void check_block(Check *c, uint32_t b)
   const MeshBlock *k = &m->block[b];
   int nodes = elem_nodes(k->type);
   if (k->entity >= m->nentity) {
-    check__report(c, RULE_INDEX, false, NONE, NONE, 0, NONE, nowhere, "block %u is on entity number %u of %zu", b, k->entity,
-                  m->nentity);
+    check__report(c, RULE_INDEX, false, check__on(NONE), "block %u is on entity number %u of %zu", b,
+                  k->entity, m->nentity);
     return;
   }
   if (!nodes || elem_dim(k->type) != m->entity[k->entity].dim)
-    check__report(c, RULE_INDEX, false, k->entity, NONE, 0, NONE, nowhere, "elements of type %d (%s)", (int)k->type,
+    check__report(c, RULE_INDEX, false, check__on(k->entity), "elements of type %d (%s)", (int)k->type,
                   elem_name(k->type));
   if (b && (m->block[b - 1].entity > k->entity || (m->block[b - 1].entity == k->entity && m->block[b - 1].type >= k->type)))
-    check__report(c, RULE_INDEX, false, k->entity, NONE, 0, NONE, nowhere, "blocks are not in order");
+    check__report(c, RULE_INDEX, false, check__on(k->entity), "blocks are not in order");
   for (size_t i = 0; i < k->n * (size_t)nodes; i++)
     if (UNLIKELY(k->node[i] >= m->nnode))
-      check__report(c, RULE_INDEX, false, k->entity, b, i / (size_t)nodes, NONE, nowhere, "node number %u of %zu", k->node[i],
-                    m->nnode);
+      check__report(c, RULE_INDEX, false, (Place){k->entity, b, i / (size_t)nodes, NONE, nowhere},
+                    "node number %u of %zu", k->node[i], m->nnode);
     else
       c->used[k->node[i]] = 1;
 }
@@ -83,9 +82,9 @@ static void check_indices(Check *c)
   for (size_t e = 0; e < m->nentity; e++) {
     const MeshEntity *a = &m->entity[e];
     if (a->dim < 0 || a->dim > 2)
-      check__report(c, RULE_INDEX, false, NONE, NONE, 0, NONE, nowhere, "an entity of dimension %d", a->dim);
+      check__report(c, RULE_INDEX, false, check__on(NONE), "an entity of dimension %d", a->dim);
     if (e && (a[-1].dim > a->dim || (a[-1].dim == a->dim && a[-1].tag >= a->tag)))
-      check__report(c, RULE_INDEX, false, NONE, NONE, 0, NONE, nowhere, "entities are not in order");
+      check__report(c, RULE_INDEX, false, check__on(NONE), "entities are not in order");
   }
   for (uint32_t b = 0; b < m->nblock; b++) check_block(c, b);
 }
@@ -96,11 +95,14 @@ static void check_nodes(Check *c)
   const Mesh *m = c->m;
   for (size_t i = 0; i < m->nnode; i++) {
     if (UNLIKELY(m->node_entity[i] >= m->nentity))
-      check__report(c, RULE_INDEX, false, NONE, NONE, 0, (uint32_t)i, nowhere, "node %llu is on no entity", number_of(c, (uint32_t)i));
+      check__report(c, RULE_INDEX, false, (Place){NONE, NONE, 0, (uint32_t)i, nowhere},
+                    "node %llu is on no entity", number_of(c, (uint32_t)i));
     if (UNLIKELY(!isfinite(m->xyz[3 * i] + m->xyz[3 * i + 1] + m->xyz[3 * i + 2])))
-      check__report(c, RULE_COORDINATE, false, NONE, NONE, 0, (uint32_t)i, nowhere, "node %llu", number_of(c, (uint32_t)i));
+      check__report(c, RULE_COORDINATE, false, (Place){NONE, NONE, 0, (uint32_t)i, nowhere}, "node %llu",
+                    number_of(c, (uint32_t)i));
     if (UNLIKELY(!c->used[i]))
-      check__report(c, RULE_ORPHAN_NODE, !c->strict, m->node_entity[i], NONE, 0, (uint32_t)i, mesh_xyz(m, (uint32_t)i),
+      check__report(c, RULE_ORPHAN_NODE, !c->strict,
+                    (Place){m->node_entity[i], NONE, 0, (uint32_t)i, mesh_xyz(m, (uint32_t)i)},
                     "node %llu is in no element", number_of(c, (uint32_t)i));
   }
 }
@@ -214,7 +216,8 @@ static void check_duplicate_nodes(Check *c)
   if (twins.len) check__stamp_faces(c, find_meetings, &twins);
   for (size_t i = 0; i < twins.len; i++) {
     uint32_t a = twins.data[i].first, b = twins.data[i].second;
-    check__report(c, RULE_DUPLICATE_NODE, !twins.data[i].meet, m->node_entity[b], NONE, 0, b, mesh_xyz(m, b),
+    check__report(c, RULE_DUPLICATE_NODE, !twins.data[i].meet,
+                  (Place){m->node_entity[b], NONE, 0, b, mesh_xyz(m, b)},
                   "nodes %llu and %llu have the same coordinates", number_of(c, a), number_of(c, b));
   }
   vec_free(&twins);
@@ -248,8 +251,12 @@ static void check_classification(Check *c)
       uint32_t on = m->node_entity[k->node[i]];
       // Points embedded in a face are in no list, so any point is good for a face.
       if (LIKELY(on == k->entity) || mark[on] == b || (dim == 2 && m->entity[on].dim == 0)) continue;
-      check__report(c, RULE_CLASSIFICATION, false, k->entity, b, i / (size_t)nodes, k->node[i], mesh_xyz(m, k->node[i]),
-                    "node %llu is on %s %d", number_of(c, k->node[i]), m->entity[on].dim == 0 ? "point" : m->entity[on].dim == 1 ? "curve" : "face",
+      check__report(c, RULE_CLASSIFICATION, false,
+                    (Place){k->entity, b, i / (size_t)nodes, k->node[i], mesh_xyz(m, k->node[i])},
+                    "node %llu is on %s %d", number_of(c, k->node[i]),
+                    m->entity[on].dim == 0   ? "point"
+                    : m->entity[on].dim == 1 ? "curve"
+                                             : "face",
                     m->entity[on].tag);
     }
   }
@@ -266,15 +273,17 @@ static void check_groups(Check *c)
     const MeshGroup *a = &m->group[g];
     bool fine = a->dim >= 0 && a->dim <= 3 && a->tag >= 0;
     if (!fine) {
-      check__report(c, RULE_GROUP, false, NONE, NONE, 0, NONE, nowhere, "a group of dimension %d with tag %d", a->dim, a->tag);
+      check__report(c, RULE_GROUP, false, check__on(NONE), "a group of dimension %d with tag %d", a->dim,
+                    a->tag);
       continue;
     }
     map_set(&known, (uint64_t)a->dim << 32 | (uint32_t)a->tag, 1);
     if (!a->name) continue;
     uint32_t other = names_get(&names[a->dim], a->name);
     if (other != NONE)
-      check__report(c, RULE_GROUP, true, NONE, NONE, 0, NONE, nowhere, "groups %u and %d of dimension %d are both named '%.60s'",
-                    other, a->tag, a->dim, a->name);
+      check__report(c, RULE_GROUP, true, check__on(NONE),
+                    "groups %u and %d of dimension %d are both named '%.60s'", other, a->tag, a->dim,
+                    a->name);
     names_set(&names[a->dim], a->name, (uint32_t)a->tag);
   }
   for (size_t b = 0; b < m->nblock; b++)
@@ -285,11 +294,11 @@ static void check_groups(Check *c)
   for (uint32_t e = 0; e < m->nentity; e++)
     for (size_t i = 0; i < m->entity[e].physical.len; i++)
       if (map_get(&known, (uint64_t)m->entity[e].dim << 32 | (uint32_t)abs(m->entity[e].physical.data[i])) == NONE)
-        check__report(c, RULE_GROUP, false, e, NONE, 0, NONE, nowhere, "it is in group %d, which does not exist",
+        check__report(c, RULE_GROUP, false, check__on(e), "it is in group %d, which does not exist",
                       abs(m->entity[e].physical.data[i]));
   for (size_t g = 0; g < m->ngroup; g++)
     if (m->group[g].dim < 3 && map_get(&filled, (uint64_t)m->group[g].dim << 32 | (uint32_t)m->group[g].tag) == NONE)
-      check__report(c, RULE_GROUP, true, NONE, NONE, 0, NONE, nowhere, "group %d%s%.60s%s of dimension %d has no elements",
+      check__report(c, RULE_GROUP, true, check__on(NONE), "group %d%s%.60s%s of dimension %d has no elements",
                     m->group[g].tag, m->group[g].name ? " '" : "", m->group[g].name ? m->group[g].name : "",
                     m->group[g].name ? "'" : "", m->group[g].dim);
   for (int d = 0; d < 4; d++) names_free(&names[d]);
@@ -305,15 +314,15 @@ static void check_periodic(Check *c)
     const MeshPeriodic *p = &m->periodic[i];
     uint32_t e = mesh_find_entity(m, p->dim, p->tag), f = mesh_find_entity(m, p->dim, p->master);
     if (e == NONE || f == NONE) {
-      check__report(c, RULE_PERIODIC, false, e, NONE, 0, NONE, nowhere, "a link from %d to %d, of which one does not exist",
-                    p->master, p->tag);
+      check__report(c, RULE_PERIODIC, false, check__on(e),
+                    "a link from %d to %d, of which one does not exist", p->master, p->tag);
       continue;
     }
     double size = 1e-8 * (vec3_distance(m->entity[e].lo, m->entity[e].hi) + vec3_length(m->entity[e].hi));
     for (size_t k = 0; k < p->slave_node.len; k++) {
       uint32_t a = p->slave_node.data[k], b = p->master_node.data[k];
       if (a >= m->nnode || b >= m->nnode) {
-        check__report(c, RULE_PERIODIC, false, e, NONE, 0, NONE, nowhere, "a pair of nodes %u and %u", a, b);
+        check__report(c, RULE_PERIODIC, false, check__on(e), "a pair of nodes %u and %u", a, b);
         continue;
       }
       if (!p->has_affine) continue;
@@ -322,8 +331,9 @@ static void check_periodic(Check *c)
                                     t[8] * x.x + t[9] * x.y + t[10] * x.z + t[11]};
       double off = vec3_distance(y, mesh_xyz(m, a));
       if (off > size)
-        check__report(c, RULE_PERIODIC, false, e, NONE, 0, a, mesh_xyz(m, a), "node %llu is %.3g away from the image of node %llu",
-                      number_of(c, a), off, number_of(c, b));
+        check__report(c, RULE_PERIODIC, false, (Place){e, NONE, 0, a, mesh_xyz(m, a)},
+                      "node %llu is %.3g away from the image of node %llu", number_of(c, a), off,
+                      number_of(c, b));
     }
   }
 }

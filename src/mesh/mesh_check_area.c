@@ -184,7 +184,7 @@ void check__area(Check *c, const CheckedFace *f, const CompensatedSum *elements,
   double tolerance = 1e-12 * fmax(elements->size, loops.size);
   if (fabs(a - b) > tolerance && loops.loop.len > 1) b = fabs(area_of_parts(c, f, &loops));
   if (fabs(a - b) > tolerance)
-    check__report(c, RULE_AREA, false, f->entity, NONE, 0, NONE, (Vec3){NAN, NAN, NAN},
+    check__report(c, RULE_AREA, false, check__on(f->entity),
                   "its elements add up to %.17g, its boundary encloses %.17g", a, b);
   loops_free(&loops);
 }

@@ -39,14 +39,15 @@ static void gather_lines(Check *c, uint8_t *on_line)
       bool added;
       uint32_t *slot = map_slot(&c->line, map_pair(v[0], v[1]), (uint32_t)c->line_block.len, &added);
       if (v[0] == v[1])
-        check__report(c, RULE_DEGENERATE, false, k->entity, b, i, v[0], mesh_xyz(m, v[0]), "both ends are node %llu",
-                      number_of(c, v[0]));
+        check__report(c, RULE_DEGENERATE, false, (Place){k->entity, b, i, v[0], mesh_xyz(m, v[0])},
+                      "both ends are node %llu", number_of(c, v[0]));
       else if (!added && may_share(c, listed, k->entity, check__line_curve(c, *slot))) {
         if (listed[k->entity]) *slot = (uint32_t)c->line_block.len;
       } else if (!added)
-        check__report(c, RULE_DUPLICATE_ELEMENT, !c->strict && k->entity != check__line_curve(c, *slot), k->entity, b, i, NONE, check__middle(m, v[0], v[1]),
-                      "curve %d has a line between nodes %llu and %llu too", m->entity[check__line_curve(c, *slot)].tag, number_of(c, v[0]),
-                      number_of(c, v[1]));
+        check__report(c, RULE_DUPLICATE_ELEMENT, !c->strict && k->entity != check__line_curve(c, *slot),
+                      (Place){k->entity, b, i, NONE, check__middle(m, v[0], v[1])},
+                      "curve %d has a line between nodes %llu and %llu too",
+                      m->entity[check__line_curve(c, *slot)].tag, number_of(c, v[0]), number_of(c, v[1]));
       vec_push(&c->line_block, b);
       vec_push(&c->line_index, (uint32_t)i);
       on_line[v[0]] = on_line[v[1]] = 1;
@@ -115,9 +116,11 @@ static void check_bad_edges(Check *c)
         uint32_t *slot = map_slot(&element, corner_key(k, i), (uint32_t)seen.len, &added);
         const HalfEdge *other = added ? NULL : &seen.data[*slot];
         if (other && same_corners(k, i, &m->block[other->block], other->element))
-          check__report(c, RULE_DUPLICATE_ELEMENT, false, k->entity, b, i, NONE, check__middle(m, k->node[i * (size_t)elem_nodes(k->type)],
-                        k->node[i * (size_t)elem_nodes(k->type) + 1]), "element %zu has the same corners",
-                        c->number[other->block] + other->element + 1);
+          check__report(c, RULE_DUPLICATE_ELEMENT, false,
+                        (Place){k->entity, b, i, NONE,
+                                check__middle(m, k->node[i * (size_t)elem_nodes(k->type)],
+                                       k->node[i * (size_t)elem_nodes(k->type) + 1])},
+                        "element %zu has the same corners", c->number[other->block] + other->element + 1);
         if (added) vec_push(&seen, ((HalfEdge){.block = b, .element = i}));
       }
       for (size_t a = 0; a < corners; a++) {
@@ -125,9 +128,10 @@ static void check_bad_edges(Check *c)
         HalfEdge e = mesh_edges_at(&c->edges, m, h + a);
         map_slot(&edge, map_pair(e.a, e.b), 0, &added);
         if (added)
-          check__report(c, RULE_EDGE, false, k->entity, b, i, NONE, check__middle(m, e.a, e.b),
-                        "edge of nodes %llu and %llu has more than two elements, or two that run it the same way",
-                        number_of(c, e.a), number_of(c, e.b));
+          check__report(
+              c, RULE_EDGE, false, (Place){k->entity, b, i, NONE, check__middle(m, e.a, e.b)},
+              "edge of nodes %llu and %llu has more than two elements, or two that run it the same way",
+              number_of(c, e.a), number_of(c, e.b));
       }
     }
   }
@@ -172,11 +176,11 @@ static void check_holes(Check *c, const CheckedEdges *s)
     uint32_t face = m->block[e.block].entity, line = map_get(&c->line, s->boundary.data[i]);
     if (!closed[face]) continue;
     if (line == NONE)
-      check__report(c, RULE_HOLE, false, face, e.block, e.element, NONE, check__middle(m, e.a, e.b),
-                    "nothing is beyond the edge of nodes %llu and %llu, which is on no curve", number_of(c, e.a),
-                    number_of(c, e.b));
+      check__report(c, RULE_HOLE, false, (Place){face, e.block, e.element, NONE, check__middle(m, e.a, e.b)},
+                    "nothing is beyond the edge of nodes %llu and %llu, which is on no curve",
+                    number_of(c, e.a), number_of(c, e.b));
     else if (!bounds(&m->entity[face], m->entity[check__line_curve(c, line)].tag))
-      check__report(c, RULE_HOLE, false, face, e.block, e.element, NONE, check__middle(m, e.a, e.b),
+      check__report(c, RULE_HOLE, false, (Place){face, e.block, e.element, NONE, check__middle(m, e.a, e.b)},
                     "it ends at curve %d, which does not bound it", m->entity[check__line_curve(c, line)].tag);
   }
   free(closed);
@@ -311,8 +315,10 @@ static void report_junctions(Check *c, JunctionVec *found)
   for (size_t i = 0; i < found->len; i++) {
     const Junction *j = &found->data[i];
     bool apart = j->line && !j->inside;
-    check__report(c, RULE_T_JUNCTION, apart, c->m->block[j->edge.block].entity, j->edge.block, j->edge.element, j->node,
-                  mesh_xyz(c->m, j->node), "node %llu%s lies within the edge of nodes %llu and %llu", number_of(c, j->node),
+    check__report(c, RULE_T_JUNCTION, apart,
+                  (Place){c->m->block[j->edge.block].entity, j->edge.block, j->edge.element, j->node,
+                          mesh_xyz(c->m, j->node)},
+                  "node %llu%s lies within the edge of nodes %llu and %llu", number_of(c, j->node),
                   apart ? ", not joined to it," : "", number_of(c, j->edge.a), number_of(c, j->edge.b));
   }
 }

@@ -69,11 +69,13 @@ static void check_element(Check *c, const CheckedFace *f, uint32_t b, size_t i, 
   if (LIKELY(worst > 0)) return;
   double area = mesh_size_of(c->m, k, i, mesh_area_vector(c->m, f->entity));
   if (worst == 0)
-    check__report(c, RULE_DEGENERATE, false, f->entity, b, i, NONE, mesh_center(c->m, k, i), "three corners are collinear");
+    check__report(c, RULE_DEGENERATE, false, (Place){f->entity, b, i, NONE, mesh_center(c->m, k, i)},
+                  "three corners are collinear");
   else if (corners == 4 && area > 0)
-    check__report(c, RULE_ORIENTATION, false, f->entity, b, i, NONE, mesh_center(c->m, k, i), "the quadrangle is not convex");
+    check__report(c, RULE_ORIENTATION, false, (Place){f->entity, b, i, NONE, mesh_center(c->m, k, i)},
+                  "the quadrangle is not convex");
   else
-    check__report(c, RULE_ORIENTATION, false, f->entity, b, i, NONE, mesh_center(c->m, k, i),
+    check__report(c, RULE_ORIENTATION, false, (Place){f->entity, b, i, NONE, mesh_center(c->m, k, i)},
                   "it turns the other way than its face (area %.6g)", area);
 }
 
@@ -100,7 +102,8 @@ static void check_flat(Check *c, const CheckedFace *f)
   for (uint32_t b = f->first; b < f->last; b++)
     for (size_t i = 0; i < c->m->block[b].n; i++)
       if (mesh_size_of(c->m, &c->m->block[b], i, (Vec3){0, 0, 0}) == 0)
-        check__report(c, RULE_DEGENERATE, false, f->entity, b, i, NONE, mesh_center(c->m, &c->m->block[b], i), "its area is 0");
+        check__report(c, RULE_DEGENERATE, false,
+                      (Place){f->entity, b, i, NONE, mesh_center(c->m, &c->m->block[b], i)}, "its area is 0");
 }
 
 // ---- Euler characteristic ---------------------------------------------------------------------------------------------------
@@ -217,21 +220,21 @@ static void check_euler(Check *c, CheckedFace *f, uint32_t *stamp)
   if (f->bad) return; // told by the rule on edges
   const MeshEntity *t = &m->entity[f->entity];
   size_t wanted = c->strict && t->boundary.len ? curve_cycles(c, t) : SIZE_MAX;
-  Vec3 nowhere = {NAN, NAN, NAN};
   if (wanted != SIZE_MAX && wanted != loops)
-    check__report(c, RULE_EULER, false, f->entity, NONE, 0, NONE, nowhere,
+    check__report(c, RULE_EULER, false, check__on(f->entity),
                   "its elements have %zu boundary cycles, its curves %zu", loops, wanted);
   long chi = v - e + n;
   // Of one piece: 2 - loops. Of several, or of some that meet in a point: what lies between the cycles, and in how many components.
   bool fits = !f->plane || chi == 2 - (long)loops || chi == pieces(c, f, true) + pieces(c, f, false) - (long)loops;
   if (!fits)
-    check__report(c, RULE_EULER, false, f->entity, NONE, 0, NONE, nowhere,
-                  "V - E + F = %ld - %ld + %ld = %ld does not go with %zu boundary cycles", v, e, n, chi, loops);
+    check__report(c, RULE_EULER, false, check__on(f->entity),
+                  "V - E + F = %ld - %ld + %ld = %ld does not go with %zu boundary cycles", v, e, n, chi,
+                  loops);
   // The indices of the vertices of a face of quadrangles: 4 less the elements and the boundary edges at each [book §5.1.4].
   long index4 = 4 * v - sides - 2 * borders;
   long wanted4 = 4 * (fits ? chi : 2 - (long)loops);
   if (sides == 4 * n && index4 != wanted4)
-    check__report(c, RULE_INDEX_SUM, false, f->entity, NONE, 0, NONE, nowhere,
+    check__report(c, RULE_INDEX_SUM, false, check__on(f->entity),
                   "the indices of the vertices add up to %ld/4, which should be %ld/4", index4, wanted4);
 }
 

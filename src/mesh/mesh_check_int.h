@@ -3,6 +3,8 @@
 #ifndef MESH_MESH_CHECK_INT_H
 #define MESH_MESH_CHECK_INT_H
 
+#include <math.h>
+
 #include "base/map.h"
 #include "mesh/mesh_check.h"
 #include "mesh/mesh_edges.h"
@@ -71,9 +73,16 @@ static inline void check__project(const Check *c, const CheckedFace *f, uint32_t
   p[1] = c->m->xyz[3 * (size_t)node + (size_t)f->j];
 }
 
-// Add a finding. element: index within the block, or SIZE_MAX; entity or node may be NONE.
-void check__report(Check *c, MeshRule rule, bool warning, uint32_t entity, uint32_t block, size_t element, uint32_t node,
-                   Vec3 at, const char *fmt, ...) PRINTF_LIKE(9, 10);
+// What a finding is about; entity, block and node may be NONE, at NAN.
+typedef struct {
+  uint32_t entity, block;
+  size_t element; // within the block
+  uint32_t node;
+  Vec3 at;
+} Place;
+static inline Place check__on(uint32_t entity) { return (Place){entity, NONE, 0, NONE, {NAN, NAN, NAN}}; }
+// Add a finding.
+void check__report(Check *c, MeshRule rule, bool warning, Place where, const char *fmt, ...) PRINTF_LIKE(5, 6);
 // The area that the elements of a plane face add up to against that which its curves enclose. origin: near the face, in its plane.
 void check__area(Check *c, const CheckedFace *f, const CompensatedSum *elements, const double origin[2]);
 void check__faces(Check *c);      // orientation, area, Euler characteristic

@@ -89,8 +89,8 @@ static bool is_embedded(const Check *c, uint32_t face, uint32_t curve)
 static void report_lost(Check *c, uint32_t line, uint32_t face, size_t has, size_t n)
 {
   const uint32_t *v = check__line_nodes(c, line);
-  check__report(c, RULE_LOST_EDGE, false, check__line_curve(c, line), c->line_block.data[line], c->line_index.data[line], NONE,
-                check__middle(c->m, v[0], v[1]), "it is an edge of %zu elements of face %d, not of %zu: nodes %llu and %llu", has,
+  check__report(c, RULE_LOST_EDGE, false,
+                (Place){check__line_curve(c, line), c->line_block.data[line], c->line_index.data[line], NONE, check__middle(c->m, v[0], v[1])}, "it is an edge of %zu elements of face %d, not of %zu: nodes %llu and %llu", has,
                 c->m->entity[face].tag, n, number_of(c, v[0]), number_of(c, v[1]));
 }
 
@@ -177,8 +177,8 @@ void check__lost(Check *c, CheckedEdges *s)
     if (free_line && !marked) mark_surface_nodes(c);
     marked |= free_line;
     if (free_line && c->used[v[0]] == 2 && c->used[v[1]] == 2)
-      check__report(c, RULE_LOST_EDGE, true, curve, c->line_block.data[l], c->line_index.data[l], NONE,
-                    check__middle(m, v[0], v[1]), "it is no edge of a surface element: nodes %llu and %llu",
+      check__report(c, RULE_LOST_EDGE, true,
+                    (Place){curve, c->line_block.data[l], c->line_index.data[l], NONE, check__middle(m, v[0], v[1])}, "it is no edge of a surface element: nodes %llu and %llu",
                     number_of(c, v[0]), number_of(c, v[1]));
   }
   check_between(c, &between);

@@ -50,9 +50,7 @@ static void count(Face *f, MeshIndices *s)
 void mesh_indices_make(MeshIndices *s, const Mesh *m)
 {
   *s = (MeshIndices){0};
-  bool any = false;
-  for (size_t b = 0; b < m->nblock; b++) any |= elem_corners(m->block[b].type) == 4;
-  if (!any) return;
+  if (!mesh_count_corners(m, 4)) return;
   MeshEdges edges;
   mesh_edges_make(&edges, m);
   Face f = {.m = m, .edges = &edges, .valence = mem_zalloc(m->nnode + 1), .rim = mem_zalloc(m->nnode + 1)};

@@ -424,10 +424,8 @@ void mesh_stats_make(MeshStats *s, const Mesh *m, const double *size)
 {
   *s = (MeshStats){.nodes = m->nnode};
   Pass p = {.s = s, .m = m};
-  size_t quads = 0;
-  for (size_t b = 0; b < m->nblock; b++) quads += elem_corners(m->block[b].type) == 4 ? m->block[b].n : 0;
   s->gamma.range = s->eta.range = s->jacobian.range = 1;
-  s->angle.range = quads ? 90 : 60;
+  s->angle.range = mesh_count_corners(m, 4) ? 90 : 60;
   s->angle.min = 90;
   pass_begin(&p);
   for (size_t b = 0; b < m->nblock; b++) {

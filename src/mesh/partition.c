@@ -11,7 +11,7 @@
 
 _Static_assert(sizeof(idx_t) == sizeof(uint32_t), "METIS is built with 32-bit indices");
 
-void mesh_unpartition(Mesh *m)
+static void unpartition(Mesh *m)
 {
   for (size_t b = 0; b < m->nblock; b++) {
     free(m->block[b].part);
@@ -111,7 +111,7 @@ static bool divide(Parts *p, const Options *o, Diag *d)
 
 static void store(Mesh *m, const ElemIds *ids, const Parts *p)
 {
-  mesh_unpartition(m);
+  unpartition(m);
   m->nparts = p->n;
   for (size_t b = 0; b < m->nblock; b++) {
     MeshBlock *k = &m->block[b];
@@ -123,7 +123,7 @@ static void store(Mesh *m, const ElemIds *ids, const Parts *p)
 bool mesh_partition(Mesh *m, int n, const Options *o, Diag *d)
 {
   if (n <= 1) {
-    mesh_unpartition(m);
+    unpartition(m);
     return true;
   }
   if (o->Mesh_MetisObjective == 2 && o->Mesh_MetisAlgorithm == 1) {
@@ -184,6 +184,6 @@ bool mesh_complete_parts(Mesh *m)
 {
   if (is_complete(m, 0)) return true;
   if (is_complete(m, 2) && complete_by_cells(m)) return true;
-  mesh_unpartition(m);
+  unpartition(m);
   return false;
 }

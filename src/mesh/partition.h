@@ -16,7 +16,6 @@
 // take an older partition away. The same mesh and options give the same parts. False after an error (fewer
 // elements than parts), which leaves the mesh as it was. Most of the time is METIS's.
 bool mesh_partition(Mesh *m, int n, const Options *o, Diag *d);
-void mesh_unpartition(Mesh *m);
 
 // Lines and points of part 0 get that of an element they go with. False, and m is not partitioned any more,
 // if others have none.

@@ -9,19 +9,29 @@
 #include "mesh/grid.h"
 
 // ---- the boundary --------------------------------------------------------------------------------------------------
+// The closed boundary of a face of one loop: node ids in order, and their parameters on its filling.
+typedef struct {
+  U32Vec node;
+  Vec(Vec2) param;  // empty unless asked for and the filling has four curves
+  size_t ncurve;
+  U32Vec curve_at;  // position where each curve begins
+  bool first_backwards; // the loop runs its first curve against its sense
+} FaceLoop;
+
 static void push_curve(FaceLoop *l, const Mesh2dInput *in, const EdgeNodes *en, const Filling *s, int tag)
 {
   size_t k = mesh1d_index(in->curves, tag), side = l->ncurve++;
   const CurveMesh *cm = &in->curves->curve[k];
   vec_push(&l->curve_at, (uint32_t)l->node.len);
   for (size_t i = 0; i + 1 < cm->n; i++) {
-    size_t at = tag > 0 ? i : cm->n - 1 - i;
+    size_t at = tag >= 0 ? i : cm->n - 1 - i;
     vec_push(&l->node, edge_nodes_at(en, in->model, in->curves, k, at));
-    if (s) vec_push(&l->param, filling_side(s, (int)side, tag > 0 ? cm->u[at] : 1 - cm->u[at]));
+    if (s) vec_push(&l->param, filling_side(s, (int)side, tag >= 0 ? cm->u[at] : 1 - cm->u[at]));
   }
 }
 
-bool face_loop_make(FaceLoop *l, const Mesh2dInput *in, const Face *f, const EdgeNodes *en, bool params)
+// False if the face has more than one closed loop. Free with face_loop_free.
+static bool face_loop_make(FaceLoop *l, const Mesh2dInput *in, const Face *f, const EdgeNodes *en, bool params)
 {
   *l = (FaceLoop){0};
   Filling s;
@@ -37,7 +47,7 @@ bool face_loop_make(FaceLoop *l, const Mesh2dInput *in, const Face *f, const Edg
   return good;
 }
 
-void face_loop_free(FaceLoop *l)
+static void face_loop_free(FaceLoop *l)
 {
   vec_free(&l->node);
   vec_free(&l->param);
@@ -78,15 +88,14 @@ bool face_mesh_valid(const FaceMesh *fm, const Face *f, const EdgeNodes *en)
   return elements_valid(fm, f, en, fm->tri, fm->ntri, 3) && elements_valid(fm, f, en, fm->quad, fm->nquad, 4);
 }
 
-void face_mesh_from_grid(FaceMesh *out, size_t nu, size_t nv, const uint32_t *id, TransfiniteArrangement how, bool fan, bool mirror,
-                         bool quads)
+void face_mesh_from_grid(FaceMesh *out, const GridCells *g, bool quads)
 {
-  out->tri = mem_alloc((quads ? 3 * nv * fan : 6 * nu * nv) * sizeof *out->tri);
+  out->tri = mem_alloc((quads ? 3 * g->nv * g->fan : 6 * g->nu * g->nv) * sizeof *out->tri);
   if (quads) {
-    out->quad = mem_alloc(4 * nu * nv * sizeof *out->quad);
-    out->nquad = grid_quads(nu, nv, id, fan, mirror, out->tri, &out->ntri, out->quad);
+    out->quad = mem_alloc(4 * g->nu * g->nv * sizeof *out->quad);
+    out->nquad = grid_quads(g, out->tri, &out->ntri, out->quad);
   } else {
-    out->ntri = grid_triangles(nu, nv, id, how, fan, mirror, out->tri);
+    out->ntri = grid_triangles(g, out->tri);
   }
 }
 
@@ -355,7 +364,7 @@ static bool fill_grid(const Patch *p, FaceMesh *out)
   interpolate(p, node);
   grid_smooth(p->nu, p->nv, node, smoothing_passes(p));
   store_nodes(p, node, out->own);
-  face_mesh_from_grid(out, p->nu, p->nv, id, p->f->arrangement, p->ncorner == 3, p->mirror, wants_quads(p));
+  face_mesh_from_grid(out, &(GridCells){p->nu, p->nv, id, p->f->arrangement, p->ncorner == 3, p->mirror}, wants_quads(p));
   free(id);
   if (!p->f->planar || face_mesh_valid(out, p->f, p->en) || (p->ncorner == 4 && unfold(p, out))) return true;
   face_mesh_free(out);

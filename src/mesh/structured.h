@@ -5,6 +5,7 @@
 
 #include "base/base.h"
 #include "mesh/edge_nodes.h"
+#include "mesh/grid.h"
 #include "mesh/mesh2d.h"
 
 // A face marked transfinite, from the nodes on its boundary: a grid between 3 or 4 corners. Places as Gmsh 4.8 has them: Coons
@@ -18,21 +19,8 @@ bool structured_face(const Mesh2dInput *in, const Face *f, const EdgeNodes *en, 
 // curves around it do not have the nodes the layers ask for.
 bool extruded_face(const Mesh2dInput *in, const Face *f, const EdgeNodes *en, FaceMesh *out, Diag *diag);
 
-// The closed boundary of a face of one loop: node ids in order, and their parameters on its filling.
-typedef struct {
-  U32Vec node;
-  Vec(Vec2) param;  // empty unless asked for and the filling has four curves
-  size_t ncurve;
-  U32Vec curve_at;  // position where each curve begins
-  bool first_backwards; // the loop runs its first curve against its sense
-} FaceLoop;
-// False if the face has more than one closed loop. Free with face_loop_free.
-bool face_loop_make(FaceLoop *l, const Mesh2dInput *in, const Face *f, const EdgeNodes *en, bool params);
-void face_loop_free(FaceLoop *l);
-
-// Turn a grid into the mesh of a face: id[] has (nu+1)(nv+1) node ids, own nodes are numbered already. Allocates the elements.
-void face_mesh_from_grid(FaceMesh *out, size_t nu, size_t nv, const uint32_t *id, TransfiniteArrangement how, bool fan, bool mirror,
-                         bool quads);
+// Turn a grid into the mesh of a face; its own nodes are numbered already. Allocates the elements.
+void face_mesh_from_grid(FaceMesh *out, const GridCells *g, bool quads);
 // Does every element of a plane face have a positive orientation (quadrangles at every corner)? Exact.
 bool face_mesh_valid(const FaceMesh *fm, const Face *f, const EdgeNodes *en);
 

@@ -63,6 +63,7 @@ static bool take(Boolean *b, const Shape *shape, size_t n, bool tool, bool drop,
       vec_push(&b->cutter, ((Cutter){tag__abs(s->tag), drop}));
     } else if (s->dim == 0 && b->op == BOOLEAN_FRAGMENTS) {
       vec_push(&b->point, tag__abs(s->tag));
+      vec_push(&b->place, point__get(b->m, tag__abs(s->tag))->xyz);
     } else {
       diag_error(b->diag, b->loc, "%s works on plane surfaces here (BooleanFragments on curves and points too), not on %s %d", word,
                  dim__name(s->dim), s->tag);
@@ -72,9 +73,13 @@ static bool take(Boolean *b, const Shape *shape, size_t n, bool tool, bool drop,
   return true;
 }
 
-static bool in_one_plane(const Boolean *b, const char *word)
+static bool in_one_plane(Boolean *b, const char *word)
 {
-  const Face *f = b->input.data[0].face;
+  const Face *f = &b->frame;
+  if (b->input.len)
+    b->frame = *b->input.data[0].face;
+  else
+    plane__of_curves(b->m, b->source.data, b->source.len, &b->frame);
   double size = vec3_distance(b->m->extent.lo, b->m->extent.hi);
   for (size_t i = 0; i < b->input.len; i++)
     if (!b->input.data[i].face->planar || b->input.data[i].face->sphere) {
@@ -86,7 +91,10 @@ static bool in_one_plane(const Boolean *b, const char *word)
     for (int k = 0; k <= 8; k++) {
       Vec3 d = vec3_sub(curve_point(b->m, c, k / 8.0), f->origin);
       if (fabs(vec3_dot(d, f->normal)) <= 1e-7 * size) continue;
-      diag_error(b->diag, b->loc, "%s: curve %d is not in the plane of surface %d; all must be in one plane", word, c->tag, f->tag);
+      if (b->input.len)
+        diag_error(b->diag, b->loc, "%s: curve %d is not in the plane of surface %d; all must be in one plane", word, c->tag, f->tag);
+      else
+        diag_error(b->diag, b->loc, "%s: curve %d is not in the plane of the others; all must be in one plane", word, c->tag);
       return false;
     }
   }
@@ -97,7 +105,7 @@ static Vec2 direction(const Face *f, Vec3 d) { return (Vec2){vec3_dot(d, f->axis
 
 static void take_spline(Boolean *b, const Curve *c, const CurveShape *h, ArrCurve *k)
 {
-  const Face *f = b->input.data[0].face;
+  const Face *f = &b->frame;
   bool chords = h->degree > ARR_MOST_DEGREE;
   int per = chords ? 2 : h->degree + 1, n = h->degree == 1 && h->uniform ? h->npiece : MAX(64, 16 * h->npiece);
   int npiece = chords ? n : h->npiece;
@@ -113,7 +121,7 @@ static void take_spline(Boolean *b, const Curve *c, const CurveShape *h, ArrCurv
 
 static ArrCurve plane_curve(Boolean *b, const Curve *c)
 {
-  const Face *f = b->input.data[0].face;
+  const Face *f = &b->frame;
   const CurveShape *h = c->shape;
   ArrCurve k = {.kind = ARR_LINE, .p = face_to_plane(f, curve__begin(b->m, c)), .q = face_to_plane(f, curve__end(b->m, c))};
   if (!h || h->straight) return k;
@@ -253,8 +261,10 @@ static bool joins(const Boolean *b, const Run *x, const Run *y)
   return fabs(vec2_cross(s, t)) <= 1e-9 * vec2_length(s) * vec2_length(t) && vec2_dot(s, t) > 0;
 }
 
+// What is made of several runs ends at new points, so that its neighbours change too.
 static void join_runs(const Boolean *b, Outline *o)
 {
+  bool *made = mem_zalloc(o->run.len + 1);
   size_t n = 0;
   for (size_t i = 0; i < o->run.len; i++) {
     if (n && joins(b, &o->run.data[n - 1], &o->run.data[i])) {
@@ -262,6 +272,7 @@ static void join_runs(const Boolean *b, Outline *o)
       r->to = o->run.data[i].to;
       r->u1 = o->run.data[i].u1;
       r->whole = false;
+      made[n - 1] = true;
     } else {
       o->run.data[n++] = o->run.data[i];
     }
@@ -271,9 +282,13 @@ static void join_runs(const Boolean *b, Outline *o)
     r->from = l->from;
     r->u0 = l->u0;
     r->whole = false;
+    made[0] = true;
     n--;
   }
   o->run.len = n;
+  for (size_t i = 0; i < n; i++)
+    if (made[i]) b->merged[o->run.data[i].from] = b->merged[o->run.data[i].to] = true;
+  free(made);
 }
 
 double boolean__run_area(const Boolean *b, uint32_t half) // of chords: only its sign and order of magnitude count
@@ -345,6 +360,8 @@ static void boolean_free(Boolean *b)
   vec_free(&b->input);
   vec_free(&b->cutter);
   vec_free(&b->point);
+  vec_free(&b->place);
+  vec_free(&b->at_node);
   for (size_t k = 0; k < b->listing.len; k++) {
     vec_free(&b->listing.data[k].run);
     vec_free(&b->listing.data[k].wire);
@@ -431,8 +448,13 @@ static void embed_points(Boolean *b, ShapeVec *out, size_t first)
     if (out->data[k].dim == 2 && !build(b, model_face(b->m, out->data[k].tag))) return;
   for (size_t i = 0; i < b->point.len; i++) {
     int tag = b->point.data[i];
-    Vec3 p = point__get(b->m, tag)->xyz;
-    for (size_t k = first; k < n; k++) {
+    Vec3 p = b->place.data[i];
+    bool gone = !point__get(b->m, tag); // an end of curves, with another number now
+    if (gone) {
+      uint32_t v = boolean__node_near(b, face_to_plane(&b->frame, p));
+      if (v == NONE || v >= b->at_node.len || !(tag = b->at_node.data[v])) continue;
+    }
+    for (size_t k = first; k < n && !gone; k++) {
       Face *f = out->data[k].dim == 2 ? model_face(b->m, out->data[k].tag) : NULL;
       if (!f || vec3_distance(face_from_plane(f, face_to_plane(f, p)), p) > b->tol) continue;
       PointPlace place = place_of(b, f, p);
@@ -454,13 +476,39 @@ bool model_boolean(Model *m, BooleanOp op, const BooleanSide *object, const Bool
   Boolean b = {.m = m, .op = op, .loc = loc, .diag = diag};
   bool good = take(&b, object->shape, object->n, false, object->drop, words[op]) &&
               take(&b, tool->shape, tool->n, true, tool->drop, words[op]);
-  if (good && b.input.len == 0) {
-    diag_error(diag, loc, "%s needs surfaces", words[op]);
+  if (good && b.input.len == 0 && b.cutter.len == 0) {
+    diag_error(diag, loc, op == BOOLEAN_FRAGMENTS ? "%s needs surfaces or curves" : "%s needs surfaces", words[op]);
     good = false;
   }
   size_t first = out->len;
   good = good && compute(&b, words[op]) && boolean__apply(&b, tag, out);
   if (good) embed_points(&b, out, first);
   boolean_free(&b);
+  return good;
+}
+
+bool model_fragment_all(Model *m, SrcLoc loc, Diag *diag)
+{
+  IntVec tag = {0};
+  int dim = model_volumes(m) ? 3 : 2;
+  if (dim == 2) model_all(m, dim, &tag);
+  if (dim == 2 && !tag.len) model_all(m, dim = 1, &tag);
+  ShapeVec all = {0}, out = {0};
+  for (size_t i = 0; i < tag.len; i++) vec_push(&all, ((Shape){dim, tag.data[i]}));
+  vec_free(&tag);
+  bool good = false;
+  if (all.len) {
+    Diag *quiet = diag_child(diag);
+    good = model_boolean(m, BOOLEAN_FRAGMENTS, &(BooleanSide){all.data, all.len, true}, &(BooleanSide){0}, -1, &out, loc, quiet);
+    if (good) {
+      diag_merge(diag, quiet);
+    } else {
+      diag_warning(diag, loc, "Coherence merges only what is equal here, it cuts nothing: %s",
+                   diag_count(quiet) ? diag_get(quiet, 0)->text : "the boundaries are not closed");
+      diag_free(quiet);
+    }
+  }
+  vec_free(&all);
+  vec_free(&out);
   return good;
 }

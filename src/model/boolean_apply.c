@@ -18,7 +18,7 @@ static int point_of(BooleanApply *a, uint32_t node)
   Boolean *b = a->b;
   if (!a->point[node]) {
     int tag = model__next_tag(b->m, KIND_POINT);
-    point__make(b->m, tag, face_from_plane(b->input.data[0].face, b->a.node.data[node]), a->lc[node], b->loc);
+    point__make(b->m, tag, face_from_plane(&b->frame, b->a.node.data[node]), a->lc[node], b->loc);
     a->point[node] = tag;
   }
   return a->point[node];
@@ -28,7 +28,8 @@ static int new_curve(BooleanApply *a, const Run *r)
 {
   Boolean *b = a->b;
   Model *m = b->m;
-  int pair[2] = {point_of(a, r->from), point_of(a, r->to)}, tag = model__next_tag(m, KIND_CURVE);
+  int pair[2] = {point_of(a, r->from), point_of(a, r->to)}, tag = MAX(model__next_tag(m, KIND_CURVE), a->most_own + 1);
+  if (a->own[r->curve]) tag = a->own[r->curve];
   const ArrCurve *k = &b->curve[r->curve];
   if (k->kind == ARR_SPLINE) {
     const Pieces *p = b->spline[r->curve];
@@ -59,7 +60,7 @@ static int new_curve(BooleanApply *a, const Run *r)
 static int curve_of(BooleanApply *a, const Run *r)
 {
   int source = a->b->source.data[r->curve];
-  if (r->whole && !a->anew[r->curve]) return r->back ? -source : source;
+  if (boolean__reuses(a, r) && !a->anew[r->curve]) return r->back ? -source : source;
   uint32_t known = map_get(&a->made, key_of(r, false));
   if (known != NONE) return (int)known;
   known = map_get(&a->made, key_of(r, true));
@@ -146,12 +147,12 @@ static void note_reused(BooleanApply *a)
   for (size_t k = 0; k < b->outline.len; k++)
     for (size_t i = 0; i < b->outline.data[k].run.len; i++) {
       const Run *r = &b->outline.data[k].run.data[i];
-      if (r->whole) map_set(&a->reused, (uint64_t)b->source.data[r->curve], 1);
+      if (boolean__reuses(a, r)) map_set(&a->reused, (uint64_t)b->source.data[r->curve], 1);
     }
   for (uint32_t e = 0; e < b->a.edge.len && b->op == BOOLEAN_FRAGMENTS;
        e++) { // cutting curves live on by themselves
     const ArrEdge *g = &b->a.edge.data[e];
-    if (g->u0 == 0 && g->u1 == 1) map_set(&a->reused, (uint64_t)b->source.data[g->curve], 1);
+    if (g->u0 == 0 && g->u1 == 1 && !a->fresh[g->from] && !a->fresh[g->to]) map_set(&a->reused, (uint64_t)b->source.data[g->curve], 1);
   }
 }
 
@@ -172,6 +173,10 @@ static void renew_curve(BooleanApply *a, size_t source, ShapeVec *gone)
   if (c->uses || a->keep_curve[source]) return;
   a->anew[source] = true;
   vec_push(gone, ((Shape){1, tag}));
+  if (a->b->bounds.data[source].len || a->b->pieces[source].len != 1) return;
+  if (boolean__run_of(a->b, a->b->pieces[source].data[0]).curve != source) return;
+  a->own[source] = tag; // a cutting curve in one piece
+  a->most_own = MAX(a->most_own, tag);
 }
 
 // The faces that go, their curves that nothing uses, and what of their points neither. Nodes of the result
@@ -186,8 +191,10 @@ static void remove_inputs(BooleanApply *a)
   for (size_t k = 0; k < b->listing.len; k++)
     if (a->kept[k]) stays[a->same[k]] = true;
   for (size_t i = 0; i < b->input.len; i++)
-    if (b->input.data[i].drop && !stays[i] && !b->input.data[i].face->uses)
+    if (b->input.data[i].drop && !stays[i] && !b->input.data[i].face->uses) {
+      wire__forget(m, b->input.data[i].tag);
       face__drop_whole(m, b->input.data[i].tag);
+    }
   free(stays);
   ShapeVec gone = {0};
   for (size_t i = 0; i < b->source.len; i++) {
@@ -241,7 +248,8 @@ static void remove_idle_points(BooleanApply *a)
 // ---- all
 // ----------------------------------------------------------------------------------------------------------------------
 
-static void output_cutters(BooleanApply *a, ShapeVec *out)
+// The pieces of the cutting curves; all == false: only those that get new numbers.
+static void output_cutters(BooleanApply *a, bool all, ShapeVec *out)
 {
   Boolean *b = a->b;
   for (size_t k = 0; k < b->cutter.len; k++)
@@ -250,8 +258,8 @@ static void output_cutters(BooleanApply *a, ShapeVec *out)
       bool mine = b->source.data[g->curve] == b->cutter.data[k].tag;
       for (size_t i = 0; i < g->also.len && !mine; i++)
         mine = b->source.data[g->also.data[i]] == b->cutter.data[k].tag;
-      if (!mine) continue;
       Run r = boolean__inner_run(b, e);
+      if (!mine || (!all && a->own[r.curve])) continue;
       vec_push(out, ((Shape){1, tag__abs(curve_of(a, &r))}));
     }
 }
@@ -271,11 +279,7 @@ static void copy_shapes(Boolean *b)
 // How to mesh a face stays with it when nothing happened to it but new numbers.
 static void copy_attributes(Face *to, const Face *from)
 {
-  to->recombine = from->recombine;
-  to->recombine_angle = from->recombine_angle;
-  to->algorithm = from->algorithm;
-  to->size_from_boundary = from->size_from_boundary;
-  to->smoother = from->smoother;
+  face__copy_meshing(to, from);
   to->reverse_mesh = from->reverse_mesh;
 }
 
@@ -318,15 +322,18 @@ static void make_faces(BooleanApply *a, const Face *old, int asked, ShapeVec *ou
   for (int owned = 0; owned < 2; owned++) {
     for (size_t k = 0; k < b->listing.len; k++)
       if (!kept[k] && (a->owner[k] != NONE) == (owned == 1)) number_runs(a, &b->listing.data[k]);
-    if (!owned) output_cutters(a, &cut);
+    vec_clear(&cut);
+    output_cutters(a, owned == 1, &cut);
   }
   for (int owned = 1; owned >= 0; owned--)
     for (size_t k = 0; k < b->listing.len; k++) {
       if ((kept[k] || a->owner[k] != NONE) != (owned == 1)) continue;
       if (!kept[k]) new_face(a, &b->listing.data[k], tag[k]);
       if (!kept[k] && same[k] != SIZE_MAX) copy_attributes(model_face(b->m, tag[k]), &old[same[k]]);
-      vec_push(out, ((Shape){2, tag[k]}));
     }
+  for (size_t i = 0; i <= b->input.len; i++) // as the inputs that they have their numbers from, the others last
+    for (size_t k = 0; k < b->listing.len; k++)
+      if (a->owner[k] == (i < b->input.len ? (uint32_t)i : NONE)) vec_push(out, ((Shape){2, tag[k]}));
   for (size_t k = 0; k < b->listing.len; k++) embed_inner(a, boolean__piece_at(b, k), tag[k]);
   for (size_t i = 0; i < cut.len; i++) vec_push(out, cut.data[i]);
   vec_free(&cut);
@@ -339,11 +346,13 @@ static void apply_free(BooleanApply *a)
   map_free(&a->reused);
   free(a->point);
   free(a->lc);
+  free(a->fresh);
   free(a->keep_curve);
   free(a->same);
   free(a->kept);
   free(a->owner);
   free(a->anew);
+  free(a->own);
 }
 
 bool boolean__apply(Boolean *b, int tag, ShapeVec *out)
@@ -353,20 +362,22 @@ bool boolean__apply(Boolean *b, int tag, ShapeVec *out)
   BooleanApply a = {.b = b,
                     .point = mem_zalloc(nnode * sizeof(int)),
                     .lc = mem_zalloc(nnode * sizeof(double)),
+                    .fresh = mem_zalloc(nnode * sizeof(bool)),
                     .keep_curve = mem_zalloc(nsource * sizeof(bool)),
                     .same = mem_alloc((b->listing.len + 1) * sizeof(size_t)),
                     .kept = mem_zalloc((b->listing.len + 1) * sizeof(bool)),
                     .owner = mem_alloc((b->listing.len + 1) * sizeof(uint32_t)),
-                    .anew = mem_zalloc(nsource * sizeof(bool))};
-  Face *old = mem_zalloc((b->input.len + 1) * sizeof *old); // the plane of the first outlives it
+                    .anew = mem_zalloc(nsource * sizeof(bool)),
+                    .own = mem_zalloc(nsource * sizeof(int))};
+  Face *old = mem_zalloc((b->input.len + 1) * sizeof *old);
   for (size_t i = 0; i < b->input.len; i++) old[i] = *b->input.data[i].face;
   boolean__plan(&a, tag >= 0);
   copy_shapes(b);
   note_reused(&a);
   remove_inputs(&a);
   forget_points(&a);
-  b->input.data[0].face = old;
   make_faces(&a, old, tag, out);
+  for (size_t v = 0; v < b->a.node.len; v++) vec_push(&b->at_node, a.point[v]);
   remove_idle_points(&a);
   apply_free(&a);
   free(old);

@@ -47,6 +47,9 @@ typedef struct {
   Vec(BooleanInput) input;
   Vec(Cutter) cutter;    // curves among the shapes
   IntVec point;          // points among the shapes
+  Vec(Vec3) place;       // where these are
+  IntVec at_node;        // per node: its point in the end, or 0
+  Face frame;            // the plane of all: origin, normal and axes
   Map index;             // curve tag -> rank in source
   IntVec source;         // tags of all curves
   Vec(U32Vec) bounds;    // per source: ranks of the inputs it bounds, once for each time
@@ -81,18 +84,22 @@ typedef struct {
   Boolean *b;
   int *point;     // per node: tag, or 0
   double *lc;     // per node: size of its point
+  bool *fresh;    // per node: several points meet there and one stays as it is: the result has a point of its own
   bool *keep_curve; // per source: keeps its number though its last input goes
   size_t *same;     // per listed face: input that is it, curve for curve; or SIZE_MAX
   bool *kept;       // per listed face: is that input, which stays
   uint32_t *owner;  // per listed face: input whose tag it takes, or NONE
   bool *anew;     // per source: whole, but with a new number
+  int *own;       // per source: its tag, if its only piece takes that though it is made anew; or 0
+  int most_own;   // the largest of these
   Map made;       // curve, from and to of a run -> signed tag of a curve that runs so
   Map reused;     // tags of source curves that stay
   IntVec idle;    // points whose place another took
 } BooleanApply;
 
-// boolean_number.c: what keeps its number. Fills `point`, `idle`, `same`, `kept`, `owner`, `keep_curve`; numbered: a tag was asked for.
+// boolean_number.c: what keeps its number. Fills `point`, `fresh`, `lc` there, `idle`, `same`, `kept`, `owner`, `keep_curve`; numbered: a tag was asked for.
 void boolean__plan(BooleanApply *a, bool numbered);
+bool boolean__reuses(const BooleanApply *a, const Run *r); // may be the source curve itself
 uint32_t boolean__piece_at(const Boolean *b, size_t listed);
 Run boolean__inner_run(const Boolean *b, uint32_t edge);
 bool boolean__is_inner(const Boolean *b, uint32_t edge, uint32_t piece); // one piece on both sides: it lies in its face

@@ -28,16 +28,43 @@ static void replace_point(Model *m, Curve *c, int from, int to)
   vec_push(&m->dirty[1], c->tag);
 }
 
-// The end points of curves stand at nodes. Of several at one node the first listed takes the place of all.
+// Is it of an input that stays as it is?
+static bool belongs_to_kept(const Boolean *b, size_t source)
+{
+  for (size_t k = 0; k < b->bounds.data[source].len; k++)
+    if (!b->input.data[b->bounds.data[source].data[k]].drop) return true;
+  for (size_t k = 0; k < b->cutter.len; k++)
+    if (b->cutter.data[k].tag == b->source.data[source] && !b->cutter.data[k].drop) return true;
+  return false;
+}
+
+static void find_fresh(BooleanApply *a)
+{
+  const Boolean *b = a->b;
+  for (size_t i = 0; i < b->source.len; i++) {
+    if (!belongs_to_kept(b, i)) continue;
+    for (int end = 0; end < 2; end++) {
+      uint32_t v = boolean__node_near(b, end ? b->curve[i].q : b->curve[i].p);
+      if (v != NONE && b->merged[v]) a->fresh[v] = true;
+    }
+  }
+}
+
+// The end points of curves stand at nodes. Of several at one node the first listed takes the place of all, if none stays as it is.
 static void known_points(BooleanApply *a)
 {
   Boolean *b = a->b;
+  find_fresh(a);
   for (size_t i = 0; i < b->source.len; i++) {
     Curve *c = model_curve(b->m, b->source.data[i]);
     for (int end = 0; end < 2; end++) {
       uint32_t v = boolean__node_near(b, end ? b->curve[i].q : b->curve[i].p);
       int tag = end ? c->end : c->begin;
       if (v == NONE || a->point[v] == tag) continue;
+      if (a->fresh[v]) {
+        if (a->lc[v] == 0) a->lc[v] = point__get(b->m, tag)->lc;
+        continue;
+      }
       if (!a->point[v]) {
         a->point[v] = tag;
         continue;
@@ -46,6 +73,11 @@ static void known_points(BooleanApply *a)
       vec_push(&a->idle, tag);
     }
   }
+}
+
+bool boolean__reuses(const BooleanApply *a, const Run *r)
+{
+  return r->whole && !a->fresh[r->from] && !a->fresh[r->to];
 }
 
 // Its outlines are the boundary of the face, curve for curve: nothing happened to it.
@@ -113,12 +145,21 @@ static bool all_intact(const BooleanApply *a, size_t k)
   return good;
 }
 
+static bool all_reused(const BooleanApply *a, size_t k)
+{
+  const Listing *l = &a->b->listing.data[k];
+  bool good = true;
+  for (size_t i = 0; i < l->run.len && good; i++) good = boolean__reuses(a, &l->run.data[i]);
+  return good;
+}
+
 static bool is_untouched(const BooleanApply *a, size_t k)
 {
   const Boolean *b = a->b;
   size_t in = 0;
   for (size_t i = 0; i < b->input.len; i++) in += boolean__inside(b, boolean__piece_at(b, k), i);
-  return (in == 1 || (b->op == BOOLEAN_INTERSECTION && b->input.len == 2)) && all_intact(a, k);
+  bool both = b->op == BOOLEAN_INTERSECTION && b->input.len == 2 && b->input.data[0].drop && b->input.data[1].drop;
+  return (in == 1 || both) && all_intact(a, k);
 }
 
 static void find_kept(BooleanApply *a, bool numbered)
@@ -127,7 +168,7 @@ static void find_kept(BooleanApply *a, bool numbered)
   for (size_t k = 0; k < b->listing.len; k++) {
     a->same[k] = unchanged_input(b, b->listing.data[k].outline);
     if (a->same[k] == SIZE_MAX) continue;
-    a->kept[k] = !numbered && (!b->input.data[a->same[k]].drop || is_untouched(a, k));
+    a->kept[k] = !numbered && (b->input.data[a->same[k]].drop ? is_untouched(a, k) : all_reused(a, k));
     if (all_intact(a, k)) boolean__list_as_input(a->b, k, a->same[k]);
   }
 }
@@ -143,6 +184,21 @@ static void find_owners(BooleanApply *a, bool numbered)
       if (a->owner[k] == NONE) a->owner[k] = (uint32_t)i;
       break;
     }
+  }
+}
+
+// Of shapes that only share an edge, or lie in each other, Gmsh 4.8.4 keeps the pieces under their numbers, beside their union,
+// which later versions number as the first of them.
+static void find_owners_of_union(BooleanApply *a, bool numbered)
+{
+  const Boolean *b = a->b;
+  for (size_t i = 0; i < b->input.len && !numbered && b->op == BOOLEAN_UNION; i++) {
+    uint32_t only = NONE, n = 0;
+    for (uint32_t f = 1; f < b->a.nface; f++)
+      if (boolean__inside(b, f, i)) only = f, n++;
+    if (!b->input.data[i].drop || n != 1) continue;
+    for (size_t k = 0; k < b->listing.len; k++)
+      if (a->owner[k] == NONE && b->piece[only] == boolean__piece_at(b, k)) a->owner[k] = (uint32_t)i;
   }
 }
 
@@ -189,5 +245,6 @@ void boolean__plan(BooleanApply *a, bool numbered)
   known_points(a);
   find_kept(a, numbered);
   find_owners(a, numbered);
+  find_owners_of_union(a, numbered);
   keep_curves(a);
 }

@@ -314,18 +314,87 @@ static uint32_t outline_of(const Boolean *b, uint32_t piece)
   return NONE;
 }
 
-static void list_face(Boolean *b, const WireVec *wires, size_t w)
+static void list_wire(Boolean *b, Listing *l, const Wire *w)
+{
+  vec_push(&l->wire, (uint32_t)l->run.len);
+  for (size_t i = 0; i < w->half.len; i++) vec_push(&l->run, boolean__run_of(b, w->half.data[i]));
+}
+
+static void list_face(Boolean *b, const WireVec *wires, const U32Vec *holes, size_t w)
 {
   Listing l = {.outline = outline_of(b, wires->data[w].face)};
-  for (int holes = 0; holes < 2; holes++)
-    for (size_t k = 0; k < wires->len; k++) {
-      const Wire *v = &wires->data[k];
-      if (holes ? v->outer || v->face != wires->data[w].face : k != w) continue;
-      vec_push(&l.wire, (uint32_t)l.run.len);
-      for (size_t i = 0; i < v->half.len; i++) vec_push(&l.run, boolean__run_of(b, v->half.data[i]));
-    }
+  list_wire(b, &l, &wires->data[w]);
+  for (size_t k = 0; k < holes->len; k++)
+    if (wires->data[holes->data[k]].face == wires->data[w].face) list_wire(b, &l, &wires->data[holes->data[k]]);
   vec_push(&l.wire, (uint32_t)l.run.len);
   vec_push(&b->listing, l);
+}
+
+// ---- holes
+// ---------------------------------------------------------------------------------------------------------------
+// The holes of a face that is split are found in the order of the Morton codes of their boxes' centres, on a grid
+// of 1024 x 1024 over all of them.
+
+typedef struct {
+  uint32_t wire, code;
+  Vec2 lo, hi;
+} Hole;
+
+static void find_box(const Boolean *b, const Wire *w, Hole *h)
+{
+  enum { SAMPLES = 64 };
+  h->lo = (Vec2){INFINITY, INFINITY};
+  h->hi = (Vec2){-INFINITY, -INFINITY};
+  for (size_t i = 0; i < w->half.len; i++) {
+    const ArrEdge *e = &b->a.edge.data[w->half.data[i] / 2];
+    int n = b->curve[e->curve].kind == ARR_LINE ? 1 : SAMPLES;
+    for (int k = 0; k <= n; k++) {
+      Vec2 p = arr_curve_at(&b->curve[e->curve], e->u0 + (e->u1 - e->u0) * k / n);
+      h->lo = (Vec2){fmin(h->lo.x, p.x), fmin(h->lo.y, p.y)};
+      h->hi = (Vec2){fmax(h->hi.x, p.x), fmax(h->hi.y, p.y)};
+    }
+  }
+}
+
+static uint32_t cell_of(double lo, double hi, double from, double to)
+{
+  const double cells = 1024;
+  double x = to > from ? ((lo + hi) / 2 - from) / (to - from) * cells : 0;
+  return (uint32_t)fmax(0, fmin(cells - 1, x));
+}
+
+static uint32_t spread(uint32_t x) // its bits at the even places
+{
+  uint32_t out = 0;
+  for (int i = 0; i < 10; i++) out |= (x >> i & 1) << (2 * i);
+  return out;
+}
+
+static int compare_holes(const void *x, const void *y)
+{
+  const Hole *a = x, *b = y;
+  return a->code != b->code ? (a->code > b->code) - (a->code < b->code) : (a->wire > b->wire) - (a->wire < b->wire);
+}
+
+static void order_holes(const Boolean *b, const WireVec *wires, bool split, U32Vec *out)
+{
+  Vec(Hole) hole = {0};
+  Vec2 lo = {INFINITY, INFINITY}, hi = {-INFINITY, -INFINITY};
+  for (uint32_t w = 0; w < wires->len; w++) {
+    if (wires->data[w].outer) continue;
+    Hole h = {.wire = w};
+    find_box(b, &wires->data[w], &h);
+    lo = (Vec2){fmin(lo.x, h.lo.x), fmin(lo.y, h.lo.y)};
+    hi = (Vec2){fmax(hi.x, h.hi.x), fmax(hi.y, h.hi.y)};
+    vec_push(&hole, h);
+  }
+  for (size_t i = 0; i < hole.len && split; i++) {
+    Hole *h = &hole.data[i];
+    h->code = spread(cell_of(h->lo.x, h->hi.x, lo.x, hi.x)) | spread(cell_of(h->lo.y, h->hi.y, lo.y, hi.y)) << 1;
+  }
+  if (hole.len) qsort(hole.data, hole.len, sizeof *hole.data, compare_holes);
+  for (size_t i = 0; i < hole.len; i++) vec_push(out, hole.data[i].wire);
+  vec_free(&hole);
 }
 
 // Faces of a union are listed by their outlines, from this half-edge on.
@@ -345,7 +414,8 @@ static void list_union(Boolean *b, uint32_t half)
   vec_push(&b->listing, l);
 }
 
-static void input_wires(Boolean *b, Splitter *s, WireVec *out)
+// True: something is inside the input, so that it was split.
+static bool input_wires(Boolean *b, Splitter *s, WireVec *out)
 {
   vec_clear(&s->entry);
   vec_clear(&s->loop);
@@ -356,24 +426,28 @@ static void input_wires(Boolean *b, Splitter *s, WireVec *out)
   memset(s->passed, 0, 2 * b->a.edge.len * sizeof *s->passed);
   if (s->entry.len == own) {
     own_wires(s, out);
-  } else {
-    find_dangling(s);
-    split_wires(s, out);
+    return false;
   }
+  find_dangling(s);
+  split_wires(s, out);
+  return true;
 }
 
 static void list_input(Boolean *b, Splitter *s, bool *seen)
 {
   WireVec wires = {0};
-  input_wires(b, s, &wires);
+  U32Vec holes = {0};
+  bool split = input_wires(b, s, &wires);
+  order_holes(b, &wires, split, &holes);
   for (size_t w = 0; w < wires.len; w++) {
     uint32_t f = wires.data[w].face;
     if (!wires.data[w].outer || b->piece[f] == NONE) continue;
     b->input.data[s->input].images++;
     if (seen[f]) continue;
     seen[f] = true;
-    list_face(b, &wires, w);
+    list_face(b, &wires, &holes, w);
   }
+  vec_free(&holes);
   for (size_t w = 0; w < wires.len; w++) vec_free(&wires.data[w].half);
   vec_free(&wires);
 }

@@ -53,7 +53,7 @@ static bool may_dissolve(const Model *m, const Between *b, double tolerance)
   Face *f = b->face[0], *g = b->face[1];
   return b->uses == 2 && f != g && f->compound == g->compound && may_unite(f) && may_unite(g) && !f->recombine == !g->recombine &&
          f->algorithm == g->algorithm && same_plane(f, g, tolerance) && model__same_groups(m, 2, f->tag, g->tag) &&
-         vec3_dot(f->normal, g->normal) > 0 && !in_some_group(m, 1, c->tag);
+         !in_some_group(m, 1, c->tag);
 }
 
 static void find_uses(const Model *m, BetweenVec *all)
@@ -148,8 +148,9 @@ void face_boundary_united(const Model *m, const Face *f, IntVec *curve)
     const Face *g = model_face_at(m, k);
     if (g != f && (!f->united || g->united != f->tag)) continue;
     face_boundary(m, g, &part, &start);
+    int sign = vec3_dot(f->normal, g->normal) < 0 ? -1 : 1; // all as f is turned
     for (size_t i = 0; i < part.len; i++)
-      if (!model_curve(m, part.data[i])->dissolved) vec_push(curve, part.data[i]);
+      if (!model_curve(m, part.data[i])->dissolved) vec_push(curve, sign * part.data[i]);
   }
   put_in_loops(m, curve);
   vec_free(&part);

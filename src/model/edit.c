@@ -79,6 +79,15 @@ void face__count_uses(Model *m, const Face *f, int delta)
   }
 }
 
+void face__copy_meshing(Face *to, const Face *from)
+{
+  to->recombine = from->recombine;
+  to->recombine_angle = from->recombine_angle;
+  to->algorithm = from->algorithm;
+  to->size_from_boundary = from->size_from_boundary;
+  to->smoother = from->smoother;
+}
+
 Face *face__make(Model *m, int tag, FaceType type, const int *loop, int nloop, SrcLoc loc)
 {
   Face *f = table__add(&m->face, tag);
@@ -439,6 +448,12 @@ int model_add_face(Model *m, FaceType type, int tag, const int *loop, size_t nlo
     diag_error(diag, loc, "%s %d needs at least one curve loop", word, tag);
     return refuse(m, KIND_FACE, tag);
   }
+  int *own = arena_dup(&m->arena, loop, nloop * sizeof *loop);
+  for (size_t i = 0; i < nloop; i++) {
+    int wire = model_loop(m, loop[i]) ? 0 : wire__loop(m, tag__abs(loop[i]), loc);
+    if (wire) own[i] = loop[i] < 0 ? -wire : wire;
+  }
+  loop = own;
   if (!loops_are_good(m, tag, loop, nloop, loc, diag)) return refuse(m, KIND_FACE, tag);
   if (type == FACE_FILLING) {
     const Loop *l = model_loop(m, loop[0]);

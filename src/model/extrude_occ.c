@@ -117,6 +117,7 @@ static int sweep_curve(Prism *j, int tag)
     f->extruded_side[1] = end;
     f->extruded_top = top;
     f->layers = j->layers;
+    wire__note(m, face);
   }
   map_set(&j->side[1], (uint64_t)tag, (uint32_t)face);
   return face;
@@ -124,27 +125,31 @@ static int sweep_curve(Prism *j, int tag)
 
 // ---- faces ----------------------------------------------------------------------------------------------------------------
 
-static int copy_face(Prism *j, int tag, const IntVec *curve, const IntVec *start)
+static void append_images(const Prism *j, const IntVec *curve, IntVec *out)
+{
+  for (size_t i = 0; i < curve->len; i++) {
+    int to = image_of(j, 1, tag__abs(curve->data[i]));
+    vec_push(out, curve->data[i] < 0 ? -to : to);
+  }
+}
+
+static int copy_face(Prism *j, int tag, const IntVec *curve, const IntVec *start, const IntVec *wire)
 {
   Model *m = j->m;
-  IntVec loop = {0}, ring = {0};
-  for (size_t l = 0; l + 1 < start->len; l++) {
-    vec_clear(&ring);
-    for (int i = start->data[l]; i < start->data[l + 1]; i++) {
-      int to = image_of(j, 1, tag__abs(curve->data[i]));
-      vec_push(&ring, curve->data[i] < 0 ? -to : to);
-    }
-    vec_push(&loop, loop__make_hidden(m, ring.data, (int)ring.len, j->loc));
-  }
+  IntVec above = {0}, order = {0};
+  append_images(j, curve, &above);
+  append_images(j, wire, &order);
+  const int *loop = loop__make_parts(m, &above, start, &order, j->loc);
   int top = model__next_tag(m, KIND_FACE);
-  Face *f = face__make(m, top, model_face(m, tag)->type, loop.data, (int)loop.len, j->loc);
+  Face *f = face__make(m, top, model_face(m, tag)->type, loop, (int)start->len - 1, j->loc);
   if (j->layers.n) {
     f->copy_of = tag;
     f->copy_map = arena_dup(&m->arena, j->full.m, sizeof j->full.m);
     m->ncopied++;
   }
-  vec_free(&loop);
-  vec_free(&ring);
+  wire__note(m, top);
+  vec_free(&above);
+  vec_free(&order);
   return top;
 }
 
@@ -153,13 +158,14 @@ static void put(ShapeVec *out, int dim, int tag) { vec_push(out, ((Shape){dim, t
 static void extrude_face(Prism *j, int tag, ShapeVec *out)
 {
   Model *m = j->m;
-  IntVec curve = {0}, start = {0}, lateral = {0}, shell = {0};
+  IntVec curve = {0}, start = {0}, wire = {0}, lateral = {0}, shell = {0};
   face_boundary(m, model_face(m, tag), &curve, &start);
-  for (size_t i = 0; i < curve.len; i++) {
-    int side = sweep_curve(j, tag__abs(curve.data[i]));
+  face__wires(m, model_face(m, tag), &curve, &start, &wire);
+  for (size_t i = 0; i < wire.len; i++) {
+    int side = sweep_curve(j, tag__abs(wire.data[i]));
     if (side) vec_push(&lateral, side);
   }
-  int top = is_full_turn(j) ? tag : copy_face(j, tag, &curve, &start);
+  int top = is_full_turn(j) ? tag : copy_face(j, tag, &curve, &start, &wire);
   vec_push(&shell, -tag);
   vec_push(&shell, top);
   for (size_t i = 0; i < lateral.len; i++) vec_push(&shell, lateral.data[i]);
@@ -170,6 +176,7 @@ static void extrude_face(Prism *j, int tag, ShapeVec *out)
   for (size_t i = 0; m->set.return_lateral && i < lateral.len; i++) put(out, 2, lateral.data[i]);
   vec_free(&curve);
   vec_free(&start);
+  vec_free(&wire);
   vec_free(&lateral);
   vec_free(&shell);
 }

@@ -200,8 +200,25 @@ static const PolarSphere *common_sphere(const Model *m, const IntVec *curve)
   return s;
 }
 
+// Curve 0 where it would have to be -0: a hole is listed against its loop, and loops may need turning.
+static bool needs_zero_backwards(const Model *m, const Face *f)
+{
+  for (int k = 0; k < f->nloop; k++) {
+    const Loop *l = model_loop(m, f->loop[k]);
+    bool forward = (k == 0) == (f->loop[k] >= 0);
+    for (int i = 0; l && i < l->ncurve; i++)
+      if (l->curve[i] == 0 && (!forward || curve__to(m, 0) != curve__from(m, l->curve[(i + 1) % l->ncurve]))) return true;
+  }
+  return false;
+}
+
 bool face__build(Model *m, Face *f, double tolerance, Diag *diag)
 {
+  if (model_curve(m, 0) && needs_zero_backwards(m, f)) {
+    diag_error(diag, f->loc, "surface %d: its boundary runs along curve 0 backwards, and 0 has no sign; give the curve another number",
+               f->tag);
+    return false;
+  }
   IntVec curve = {0}, start = {0};
   face_boundary(m, f, &curve, &start);
   bool good = curves_are_built(m, &curve);
@@ -233,6 +250,32 @@ bool face__build(Model *m, Face *f, double tolerance, Diag *diag)
   vec_free(&curve);
   vec_free(&start);
   return good;
+}
+
+// The plane that the curves lie in, or nearly; for curves of one line some plane through it, that of x and y if it can be.
+void plane__of_curves(const Model *m, const int *curve, size_t n, Face *frame)
+{
+  Vec3Vec p = {0};
+  for (size_t i = 0; i < n; i++) {
+    sample(m, &curve[i], 1, &p);
+    vec_push(&p, curve_point(m, model_curve(m, curve[i]), 1));
+  }
+  double largest, size = extent(&p, &largest), far = -1;
+  Vec3 normal = {0, 0, 1}, d = {0, 0, 0};
+  size_t end = 0;
+  for (size_t i = 1; i < p.len; i++)
+    if (vec3_distance(p.data[i], p.data[0]) > vec3_distance(p.data[end], p.data[0])) end = i;
+  if (p.len) d = vec3_sub(p.data[end], p.data[0]);
+  if (fabs(d.z) > 1e-9 * size) normal = vec3_cross(d, fabs(d.x) > fabs(d.y) ? (Vec3){0, 1, 0} : (Vec3){1, 0, 0});
+  for (size_t i = 1; i < p.len; i++) { // of the point farthest from that line
+    Vec3 c = vec3_cross(d, vec3_sub(p.data[i], p.data[0]));
+    if (vec3_length(c) <= fmax(far, 1e-9 * size * size)) continue;
+    far = vec3_length(c);
+    normal = c;
+  }
+  if (normal.z < 0) normal = vec3_scale(-1, normal);
+  if (!coordinate_frame(frame, &p, normal)) general_frame(frame, &p, normal);
+  vec_free(&p);
 }
 
 // ---- filling faces ----------------------------------------------------------------------------------------------------------

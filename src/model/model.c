@@ -40,9 +40,8 @@ static void release_contents(Model *m)
     vec_free(&m->group[d]);
     vec_free(&m->dirty[d]);
   }
-  for (size_t i = 0; i < m->name.len; i++) free(m->name.data[i].name);
-  vec_free(&m->name);
   vec_free(&m->pending_loop);
+  vec_free(&m->wire);
   vec_free(&m->moved);
   vec_free(&m->joint);
   map_free(&m->refused);
@@ -136,26 +135,6 @@ const char *kind__name(Kind k)
 }
 
 const char *dim__name(int dim) { return kind__name(dim__kind(dim)); }
-
-void model_set_name(Model *m, int dim, int tag, const char *name)
-{
-  for (size_t i = 0; i < m->name.len; i++) {
-    EntityName *e = &m->name.data[i];
-    if (e->dim != dim || e->tag != tag) continue;
-    free(e->name);
-    e->name = mem_strdup(name);
-    return;
-  }
-  EntityName e = {dim, tag, mem_strdup(name)};
-  vec_push(&m->name, e);
-}
-
-const char *model_name(const Model *m, int dim, int tag)
-{
-  for (size_t i = 0; i < m->name.len; i++)
-    if (m->name.data[i].dim == dim && m->name.data[i].tag == tag) return m->name.data[i].name;
-  return NULL;
-}
 
 // ---- tags -----------------------------------------------------------------------------------------------------------
 

@@ -121,6 +121,7 @@ typedef enum {
 typedef struct {
   int tag;
   FaceType type;
+  int wire;               // the number of its first wire among OpenCASCADE's, or 0
   int *loop;              // signed loop tags (as written), nloop of them; a negative outer loop reverses the face
   int nloop;
   uint32_t uses;          // by volumes

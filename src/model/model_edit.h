@@ -77,8 +77,6 @@ int model_group_edit(Model *m, int dim, int tag, const char *name, GroupOp op, c
 // Members of a group, `Physical Curve{3}` as a list or in a list of shapes; false if there is no such group.
 bool model_group_members(const Model *m, int dim, int tag, IntVec *out);
 void model_delete_groups(Model *m);                       // Delete Physicals
-void model_set_name(Model *m, int dim, int tag, const char *name); // SetName / elementary names, kept for the writers
-const char *model_name(const Model *m, int dim, int tag); // NULL if none
 
 // ---- transforms ---------------------------------------------------------------------------------------------------------
 typedef struct {
@@ -107,9 +105,12 @@ typedef struct {
 } BooleanSide;
 // Append the faces of the result (and, of curves among the shapes, their pieces). An input that comes out as one face keeps its tag
 // when it is dropped; tag: that of the first new face, or -1. Curves and points are shared by neighbours; those that are whole stay,
-// with their tags. Lines and arcs are cut; splines must not be. Errors leave the model as it was.
+// with their tags. Fragments of curves alone are cut in the same way. Errors leave the model as it was.
 bool model_boolean(Model *m, BooleanOp op, const BooleanSide *object, const BooleanSide *tool, int tag, ShapeVec *out, SrcLoc loc,
                    Diag *diag);
+// Coherence under OpenCASCADE: all faces, or all curves where there is no face, are cut where they meet and share what is common.
+// False, the model as it was: there are volumes, or (with a warning) not all are in one plane.
+bool model_fragment_all(Model *m, SrcLoc loc, Diag *diag);
 
 // ---- extrusion -----------------------------------------------------------------------------------------------------------
 typedef struct {

@@ -69,25 +69,27 @@ typedef struct {
   int tag, begin, end;      // its own ends
 } JoinedCurve;
 
-typedef struct {
-  int dim, tag;
-  char *name;
-} EntityName;
-
 // Loops of faces that no script named (copies, extrusions) have tags from here on; they count for no maximum.
 enum { HIDDEN_LOOP = 1 << 30 };
+
+typedef struct {
+  int number, face;
+  const int *curve;   // signed, ncurve of them, in the arena
+  const SrcLoc *made; // where each was made: their numbers may be others' later
+  int ncurve;
+} NumberedWire;
 
 struct Model {
   ModelSettings set;
   const PolarSphere *sphere; // in whose plane points are given now; in the arena
-  Arena arena;              // control points, knots, loops, names
+  Arena arena;              // control points, knots, loops
   Table point, curve, loop, hidden, face, surface_loop, volume;
   int max[KIND_COUNT];
   Vec(Group *) group[4];    // by dim, ascending tags
   Names group_name;         // "dim name" -> tag
-  Vec(EntityName) name;
   Map refused;              // kind << 32 | tag of what was reported and not made
   int ncompound[3];
+  Vec(NumberedWire) wire;           // numbers that OpenCASCADE's shapes gave to their boundaries, ascending
   // coherence: what changed since it last ran, and the indexes of the rest
   IntVec dirty[4];          // tags of points, curves, faces, (volumes)
   IntVec changed_face;      // scratch
@@ -139,6 +141,7 @@ Curve *curve__make(Model *m, int tag, CurveType type, const int *point, int npoi
 int loop__make_open(Model *m, const int *curve, int ncurve, SrcLoc loc); // curves in any order, not sorted yet
 int loop__make_hidden(Model *m, const int *curve, int ncurve, SrcLoc loc);
 Face *face__make(Model *m, int tag, FaceType type, const int *loop, int nloop, SrcLoc loc);
+void face__copy_meshing(Face *to, const Face *from); // how to mesh, but for a structured mesh and a turned one
 Volume *volume__make(Model *m, int tag, const int *face, int nface, SrcLoc loc);
 void curve__drop(Model *m, int tag); // remove, with its uses of points
 void face__drop(Model *m, int tag);  // remove, with its uses of curves
@@ -150,7 +153,11 @@ static inline int curve__from(const Model *m, int signed_tag)
   const Curve *c = table__get(&m->curve, tag__abs(signed_tag));
   return signed_tag < 0 ? c->end : c->begin;
 }
-static inline int curve__to(const Model *m, int signed_tag) { return curve__from(m, -signed_tag); }
+static inline int curve__to(const Model *m, int signed_tag) // number 0 is a number: it runs forward
+{
+  const Curve *c = table__get(&m->curve, tag__abs(signed_tag));
+  return signed_tag < 0 ? c->begin : c->end;
+}
 
 // coherence.c. Merged: old tag -> surviving signed tag of what a run removed, per dimension 0..2.
 typedef struct {
@@ -167,6 +174,13 @@ void model__forget_face(Model *m, Face *f);
 void model__index_free(Model *m);
 
 // transform_occ.c: model_transform for OpenCASCADE, of curves and faces that there are.
+// wire.c; all do nothing for the built-in kernel. note: a face gives numbers to its wires.
+void wire__note(Model *m, int face);
+void wire__forget(Model *m, int face);
+int wire__loop(Model *m, int number, SrcLoc loc); // a hidden loop along the wire of this number, or 0
+// The boundary of a face (of face_boundary) in the order in which OpenCASCADE lists its wires; and hidden loops that remember it.
+void face__wires(const Model *m, const Face *f, const IntVec *curve, const IntVec *start, IntVec *out);
+int *loop__make_parts(Model *m, const IntVec *curve, const IntVec *start, const IntVec *wire, SrcLoc loc); // start->len - 1 of them
 bool transform__opencascade(Model *m, const Shape *shape, size_t n, const Affine *a, Diag *diag);
 
 // extrude_occ.c: model_extrude for OpenCASCADE, of shapes that there are, by a translation or a rotation.
@@ -217,5 +231,6 @@ void model__join_curves(Model *m, Diag *diag);
 
 // face_plane.c
 bool face__build(Model *m, Face *f, double tolerance, Diag *diag);
+void plane__of_curves(const Model *m, const int *curve, size_t n, Face *frame); // built ones; only the axes of the frame are set
 
 #endif

@@ -33,6 +33,7 @@ static int face_of(Model *m, int tag, const int *curve, int n, SrcLoc loc)
 {
   int loop = loop__make_hidden(m, curve, n, loc);
   face__make(m, tag, FACE_PLANE, &loop, 1, loc);
+  wire__note(m, tag);
   return tag;
 }
 

@@ -18,7 +18,7 @@ static void turn_as_listed(int *curve, size_t n, int first)
     memmove(curve, curve + 1, (n - 1) * sizeof *curve);
     curve[n - 1] = c;
   }
-  if (n == 0 || curve[0] > 0) return;
+  if (n == 0 || curve[0] >= 0) return;
   for (size_t i = 0; i < n; i++) curve[i] = -curve[i];
   for (size_t i = 1, k = n - 1; i < k; i++, k--) {
     int c = curve[i];

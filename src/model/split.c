@@ -17,7 +17,7 @@ static int *replaced(Model *m, const int *list, int *n, int tag, const IntVec *p
       out[k++] = list[i];
       continue;
     }
-    for (size_t j = 0; j < part->len; j++) out[k++] = list[i] > 0 ? part->data[j] : -part->data[part->len - 1 - j];
+    for (size_t j = 0; j < part->len; j++) out[k++] = list[i] >= 0 ? part->data[j] : -part->data[part->len - 1 - j];
   }
   *n = size;
   return out;
@@ -303,10 +303,7 @@ int model_add_face_part(Model *m, int face, const FaceBoundary *b)
   const Face *f = model_face(m, face);
   int loop = loop__make_hidden(m, b->bounds.data, (int)b->bounds.len, f->loc);
   Face *g = face__make(m, model__next_tag(m, KIND_FACE), f->type, &loop, 1, f->loc);
-  g->recombine = f->recombine;
-  g->recombine_angle = f->recombine_angle;
-  g->algorithm = f->algorithm;
-  g->size_from_boundary = f->size_from_boundary;
+  face__copy_meshing(g, f);
   g->reverse_mesh = f->reverse_mesh;
   g->origin = f->origin, g->axis_u = f->axis_u, g->axis_v = f->axis_v, g->normal = f->normal;
   g->planar = f->planar;

@@ -297,11 +297,7 @@ int model__copy_face(Model *m, int signed_tag, SrcLoc loc)
   if (m->set.copy_meshing) {
     g->transfinite = f->transfinite && !f->ncorner;
     g->arrangement = f->arrangement;
-    g->recombine = f->recombine;
-    g->recombine_angle = f->recombine_angle;
-    g->smoother = f->smoother;
-    g->algorithm = f->algorithm;
-    g->size_from_boundary = f->size_from_boundary;
+    face__copy_meshing(g, f);
   }
   vec_free(&curve);
   vec_free(&start);
@@ -349,12 +345,17 @@ static int whole_curve(Whole *w, int signed_tag)
 static int whole_face(Whole *w, int tag)
 {
   Model *m = w->m;
-  IntVec curve = {0}, start = {0};
+  IntVec curve = {0}, start = {0}, wire = {0};
   const Face *f = model_face(m, tag);
   face_boundary(m, f, &curve, &start);
+  face__wires(m, f, &curve, &start, &wire);
+  for (size_t i = 0; i < wire.len; i++) wire.data[i] = whole_curve(w, wire.data[i]);
   for (size_t i = 0; i < curve.len; i++) curve.data[i] = whole_curve(w, curve.data[i]);
-  int loop = loop__make_hidden(m, curve.data, (int)curve.len, w->loc), copy = model__next_tag(m, KIND_FACE);
-  face__make(m, copy, f->type, &loop, 1, w->loc);
+  const int *loop = loop__make_parts(m, &curve, &start, &wire, w->loc);
+  int copy = model__next_tag(m, KIND_FACE);
+  face__make(m, copy, f->type, loop, (int)start.len - 1, w->loc);
+  wire__note(m, copy);
+  vec_free(&wire);
   vec_free(&curve);
   vec_free(&start);
   return copy;

@@ -11,7 +11,7 @@
 // A curve that is moved: what it was, its image, and its new number.
 typedef struct {
   Curve was;
-  bool line, listed;
+  bool line, listed, gone; // gone: the old one
   Arc *arc;
   Pieces *pieces;
   int tag;
@@ -26,6 +26,7 @@ typedef struct {
 typedef struct {
   int face;
   IntVec curve, start; // its boundary as it was
+  IntVec wire;         // the same curves in the order in which OpenCASCADE lists them
 } MovedFace;
 
 typedef struct {
@@ -88,6 +89,36 @@ static bool gather_curve(Mover *v, int tag, bool listed)
   return true;
 }
 
+void face__wires(const Model *m, const Face *f, const IntVec *curve, const IntVec *start, IntVec *out)
+{
+  for (size_t l = 0; l + 1 < start->len; l++) {
+    const Loop *loop = start->len == (size_t)f->nloop + 1 ? model_loop(m, f->loop[l]) : NULL;
+    int from = start->data[l], n = start->data[l + 1] - from;
+    bool known = loop && loop->wire && loop->nwire == n;
+    for (int i = 0; i < n; i++) {
+      int tag = curve->data[from + i];
+      for (int k = 0; known && k < n; k++)
+        if (tag__abs(curve->data[from + k]) == loop->wire[i]) tag = curve->data[from + k];
+      vec_push(out, tag);
+    }
+  }
+}
+
+// The loops of a face whose boundary has these parts; `wire` as of face__wires.
+int *loop__make_parts(Model *m, const IntVec *curve, const IntVec *start, const IntVec *wire, SrcLoc loc)
+{
+  int *loop = arena_alloc(&m->arena, start->len * sizeof *loop);
+  for (size_t l = 0; l + 1 < start->len; l++) {
+    size_t from = (size_t)start->data[l], n = (size_t)start->data[l + 1] - from;
+    int *order = arena_alloc(&m->arena, (n + 1) * sizeof *order);
+    for (size_t i = 0; i < n; i++) order[i] = tag__abs(wire->data[from + i]);
+    loop[l] = loop__make_hidden(m, curve->data + from, (int)n, loc);
+    model_loop(m, loop[l])->wire = order;
+    model_loop(m, loop[l])->nwire = (int)n;
+  }
+  return loop;
+}
+
 static bool gather(Mover *v, const Shape *shape, size_t n)
 {
   bool good = true;
@@ -97,6 +128,7 @@ static bool gather(Mover *v, const Shape *shape, size_t n)
     if (shape[i].dim != 2) continue;
     MovedFace f = {.face = tag};
     face_boundary(v->m, model_face(v->m, tag), &f.curve, &f.start);
+    face__wires(v->m, model_face(v->m, tag), &f.curve, &f.start, &f.wire);
     vec_push(&v->face, f);
     for (size_t k = 0; k < f.curve.len && good; k++) good = gather_curve(v, tag__abs(f.curve.data[k]), false);
   }
@@ -123,11 +155,12 @@ static void leave_copy(Model *m, const MovedCurve *k)
 
 static void release_curve(Mover *v, int tag)
 {
-  const MovedCurve *k = &v->curve.data[map_get(&v->curve_at, (uint64_t)tag)];
+  MovedCurve *k = &v->curve.data[map_get(&v->curve_at, (uint64_t)tag)];
   const Curve *c = model_curve(v->m, tag);
-  if (!c || k->tag) return; // gone with a shape before, or moved itself
+  if (!c || k->gone || k->tag == tag) return; // with a shape before, or moved itself
   if (c->uses && k->listed) leave_copy(v->m, k);
   if (model_curve(v->m, tag)->uses) return;
+  k->gone = true;
   curve__drop(v->m, tag);
   const Shape end[2] = {{0, k->was.begin}, {0, k->was.end}};
   model_delete(v->m, end, 2, false); // but for those in use
@@ -135,9 +168,6 @@ static void release_curve(Mover *v, int tag)
 
 static void release_face(Mover *v, const MovedFace *f)
 {
-  Face *face = model_face(v->m, f->face);
-  model__forget_face(v->m, face);
-  face__drop_loops(v->m, face);
   for (size_t i = 0; i < f->curve.len; i++) release_curve(v, tag__abs(f->curve.data[i]));
 }
 
@@ -177,26 +207,27 @@ static int new_curve(Mover *v, int old)
 
 static void bound_face(Mover *v, const MovedFace *f)
 {
-  IntVec ring = {0}, loop = {0};
   Face *face = model_face(v->m, f->face);
   if (face->extruded_curve && f->curve.len == 4) { // the sides come before what was swept and its copy
     new_curve(v, tag__abs(f->curve.data[3]));
     new_curve(v, tag__abs(f->curve.data[1]));
   }
-  for (size_t l = 0; l + 1 < f->start.len; l++) {
-    vec_clear(&ring);
-    for (int i = f->start.data[l]; i < f->start.data[l + 1]; i++) {
-      int tag = new_curve(v, tag__abs(f->curve.data[i]));
-      vec_push(&ring, f->curve.data[i] < 0 ? -tag : tag);
-    }
-    vec_push(&loop, loop__make_hidden(v->m, ring.data, (int)ring.len, face->loc));
+  IntVec curve = {0}, wire = {0};
+  for (size_t i = 0; i < f->wire.len; i++) vec_push(&wire, new_curve(v, tag__abs(f->wire.data[i])));
+  for (size_t i = 0; i < f->curve.len; i++) {
+    int tag = new_curve(v, tag__abs(f->curve.data[i]));
+    vec_push(&curve, f->curve.data[i] < 0 ? -tag : tag);
   }
-  face->loop = arena_dup(&v->m->arena, loop.data, loop.len * sizeof *loop.data);
-  face->nloop = (int)loop.len;
+  face->loop = loop__make_parts(v->m, &curve, &f->start, &wire, face->loc);
+  face->nloop = (int)f->start.len - 1;
+  if (face->wire) {
+    wire__forget(v->m, f->face);
+    wire__note(v->m, f->face);
+  }
   face__count_uses(v->m, face, 1);
   vec_push(&v->m->dirty[2], f->face);
-  vec_free(&ring);
-  vec_free(&loop);
+  vec_free(&curve);
+  vec_free(&wire);
 }
 
 // Copies of meshes go from curve to curve; those that went along have other numbers now.
@@ -212,6 +243,11 @@ static void follow_copies(Mover *v)
 static void move_all(Mover *v, const Shape *shape, size_t n)
 {
   size_t face = 0;
+  for (size_t i = 0; i < v->face.len; i++) { // all at once: what the shapes of the statement share goes with the first
+    Face *f = model_face(v->m, v->face.data[i].face);
+    model__forget_face(v->m, f);
+    face__drop_loops(v->m, f);
+  }
   for (size_t i = 0; i < n; i++) {
     const MovedFace *f = shape[i].dim == 2 ? &v->face.data[face++] : NULL;
     if (f) release_face(v, f);
@@ -232,6 +268,7 @@ bool transform__opencascade(Model *m, const Shape *shape, size_t n, const Affine
   for (size_t i = 0; i < v.face.len; i++) {
     vec_free(&v.face.data[i].curve);
     vec_free(&v.face.data[i].start);
+    vec_free(&v.face.data[i].wire);
   }
   vec_free(&v.face);
   vec_free(&v.curve);

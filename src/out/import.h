@@ -38,8 +38,10 @@ typedef struct {
   uint32_t part, nparts;    // of the elements to come; the largest so far: 0 in a mesh that is not in parts
 } Import;
 
+// Begin with an empty mesh. Errors go to s; end with import_finish.
 void import_begin(Import *im, Scan *s);
 
+// import_node where it is not as it mostly is.
 void import_node_slow(Import *im, uint64_t tag, Vec3 x, int dim, int entity, double u);
 // Add a node: its number, place, the entity the file puts it on (dim -1 if it does not say) and its parameter there or NAN.
 static inline void import_node(Import *im, uint64_t tag, Vec3 x, int dim, int entity, double u)
@@ -57,6 +59,7 @@ static inline void import_node(Import *im, uint64_t tag, Vec3 x, int dim, int en
   m->node_u[i] = u;
   m->nnode++; // node_entity is filled at the end
 }
+// Room for n more nodes, so that arrays need not grow one by one.
 void import_reserve_nodes(Import *im, size_t n);
 // Room for the coordinates of n nodes numbered first, first + 1, ..., or NULL if these do not continue those there are. Nothing is
 // added before import_filled, which takes the same numbers.
@@ -84,6 +87,7 @@ void import_part(Import *im, int64_t part);
 
 // Describe an entity; valid until the next one. The caller may fill its box, groups and boundary.
 MeshEntity *import_entity(Import *im, int dim, int tag);
+// A group, or, for one that is there without one, its name; name may be NULL or empty.
 void import_group(Import *im, int dim, int tag, const char *name);
 // Tag of the group of that name and dimension, made with the next free tag if it is new.
 int import_group_named(Import *im, int dim, const char *name);

@@ -49,10 +49,11 @@ static void write_section(Writer *w, const Selection *s, const OutOptions *o, si
   for (size_t i = 0; i < s->nblock; i++) {
     const MeshBlock *k = &s->mesh->block[s->block[i]];
     if (k->type != sections[section].type) continue;
-    int tag = select__tag(&s->mesh->entity[k->entity], o), nodes = elem_nodes(k->type);
+    int tag = select__tag(&s->mesh->entity[k->entity], o);
+    size_t nodes = (size_t)elem_nodes(k->type);
     for (size_t j = 0; j < k->n; j++) {
       char *p0 = writer_reserve(w, 320), *p = p0;
-      for (int a = 0; a < nodes; a++) p = put_u64(put_char(p, ' '), s->number[k->node[j * (size_t)nodes + (size_t)a]] + 1u);
+      p = put_node_numbers(p, s, k->node + j * nodes, NULL, nodes, 1);
       p = put_u64(put_char(p, ' '), (uint64_t)tag);
       p = put_char(p, '\n');
       writer_commit(w, (size_t)(p - p0));

@@ -59,8 +59,8 @@ static char *put_elements(char *p, const void *ctx, size_t from, size_t to)
     p = put_u64(put_char(p, ' '), r->block->type);
     p = put_u64((char *)memcpy(p, " 2 ", 3) + 3, (uint64_t)abs(phys));
     p = put_u64(put_char(p, ' '), (uint64_t)r->entity->tag);
-    for (int k = 0; k < r->nodes; k++)
-      p = put_u64(put_char(p, ' '), t->s->number[node[phys < 0 ? r->reversed[k] : k]] + t->s->node0);
+    p = phys < 0 ? put_node_numbers(p, t->s, node, r->reversed, (size_t)r->nodes, t->s->node0)
+                 : put_node_numbers(p, t->s, node, NULL, (size_t)r->nodes, t->s->node0);
     p = put_char(p, '\n');
     if (++c == r->copies) c = 0, node += r->nodes;
   }

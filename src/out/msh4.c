@@ -147,11 +147,8 @@ static char *put_elements(char *p, const void *ctx, size_t from, size_t to)
   const ElementItems *t = ctx;
   size_t nodes = (size_t)elem_nodes(t->block->type);
   const uint32_t *node = t->block->node + from * nodes;
-  for (size_t i = from; i < to; i++) {
-    p = put_u64(p, t->first + i);
-    for (size_t j = 0; j < nodes; j++) p = put_u64(put_char(p, ' '), t->s->number[*node++] + t->s->node0);
-    p = put_char(p, '\n');
-  }
+  for (size_t i = from; i < to; i++, node += nodes)
+    p = put_char(put_node_numbers(put_u64(p, t->first + i), t->s, node, NULL, nodes, t->s->node0), '\n');
   return p;
 }
 

@@ -1,4 +1,4 @@
-// msh_read.c - reader of MSH 1, 2.x, 4.0 and 4.1, ASCII and binary
+// msh_read.c - reader of MSH 1, 2.x, 4.0 and 4.1, ASCII and binary: the file, and the sections that all versions share
 // SPDX-License-Identifier: MIT
 #include "base/base.h"
 
@@ -6,7 +6,7 @@
 
 #include "out/msh_read_int.h"
 
-// Nodes of the types of dimension 3, which are skipped; 0 for others.
+// Nodes of the types of dimension 3; 0 for others.
 static int volume_nodes(int type)
 {
   static const uint8_t n[][2] = {{4, 4}, {5, 8}, {6, 6}, {7, 5}, {11, 10}, {12, 27}, {13, 18}, {14, 14}, {17, 20}, {18, 15},
@@ -16,8 +16,7 @@ static int volume_nodes(int type)
   return 0;
 }
 
-// Nodes of a type, or 0 after an error.
-static int nodes_of_type(Reader *r, int type)
+int msh_read__nodes(Reader *r, int type)
 {
   int n = elem_nodes((ElemType)type);
   if (!n) n = volume_nodes(type);
@@ -119,317 +118,6 @@ static void read_periodic(Reader *r)
   s->binary = binary;
 }
 
-// ---- MSH 1 and 2 --------------------------------------------------------------------------------------------------------------
-static void read_nodes2(Reader *r, bool parametric)
-{
-  Scan *s = r->s;
-  bool binary = s->binary;
-  s->binary = false;
-  int64_t count = scan_i64(s, "the number of nodes");
-  scan_line(s);
-  s->binary = binary;
-  size_t n = scan_count(s, count, binary ? 28 : 8, "nodes");
-  import_reserve_nodes(&r->im, n);
-  for (size_t i = 0; i < n && !s->failed; i++) {
-    int64_t tag = binary ? scan_b32(s, "a node number") : scan_i64(s, "a node number");
-    Vec3 x = get_point(r);
-    int dim = -1, entity = 0;
-    double u = NAN;
-    if (parametric) {
-      dim = get_int(r, "a dimension");
-      entity = get_int(r, "an entity tag");
-      if (dim == 1 || dim == 2) u = get_double(r, "a parameter");
-      if (dim == 2) get_double(r, "a parameter");
-      if (dim != 1) u = NAN;
-      if (dim < 0 || dim > 2) dim = -1;
-    }
-    import_node(&r->im, (uint64_t)tag, x, dim, entity, u);
-  }
-}
-
-static void add_element2(Reader *r, int type, int64_t physical, int64_t entity)
-{
-  if (physical < -INT32_MAX || physical > INT32_MAX || entity < -INT32_MAX || entity > INT32_MAX)
-    scan_error(r->s, "a tag is out of range");
-  import_element(&r->im, (ElemType)type, (int)entity, (int)physical);
-}
-
-// The tags beyond group and entity: how many parts, the element's own, and those that see it as a ghost cell;
-// before 2.2 the part alone.
-static void set_part2(Reader *r, const int64_t tag[4], int64_t ntags)
-{
-  if (r->version < 220)
-    import_part(&r->im, ntags >= 3 ? tag[2] : 0);
-  else
-    import_part(&r->im, ntags >= 4 && tag[2] > 0 ? tag[3] : 0);
-}
-
-static void read_ascii_element(Reader *r)
-{
-  Scan *s = r->s;
-  scan_i64(s, "an element number");
-  int type = (int)scan_range(s, 1, 200, "element type"), n = nodes_of_type(r, type);
-  int64_t tag[4] = {0, 0, 0, 0};
-  if (r->version == 100) {
-    tag[0] = scan_i64(s, "a group");
-    tag[1] = scan_i64(s, "an entity");
-    if (scan_i64(s, "the number of nodes") != n) scan_error(s, "an element of type %d has %d nodes", type, n);
-  } else {
-    int64_t ntags = scan_range(s, 0, 1000, "number of tags");
-    for (int64_t k = 0; k < ntags; k++) {
-      int64_t t = scan_i64(s, "a tag");
-      if (k < 4) tag[k] = t;
-    }
-    set_part2(r, tag, ntags);
-  }
-  if (s->failed) return;
-  if (volume_nodes(type)) {
-    scan_line(s);
-    r->im.volumes++;
-    return;
-  }
-  add_element2(r, type, tag[0], tag[1]);
-  for (int k = 0; k < n; k++) import_element_node(&r->im, (uint64_t)scan_i64(s, "a node"));
-}
-
-static void read_binary_elements(Reader *r, size_t n)
-{
-  Scan *s = r->s;
-  for (size_t done = 0; done < n && !s->failed;) {
-    int32_t type = scan_b32(s, "an element header"), count = scan_b32(s, "an element header"),
-            ntags = scan_b32(s, "an element header");
-    if (s->failed) return;
-    int nodes = nodes_of_type(r, type);
-    if (count <= 0 || ntags < 0 || ntags > 1000 || (size_t)count > n - done) {
-      scan_error(s, "an element header of %d elements with %d tags", count, ntags);
-      return;
-    }
-    size_t size = (1 + (size_t)ntags + (size_t)nodes) * 4;
-    scan_count(s, count, size, "elements");
-    for (int32_t i = 0; i < count && !s->failed; i++) {
-      int64_t tag[4] = {0, 0, 0, 0};
-      scan_b32(s, "an element number");
-      for (int32_t k = 0; k < ntags; k++) {
-        int32_t t = scan_b32(s, "a tag");
-        if (k < 4) tag[k] = t;
-      }
-      set_part2(r, tag, ntags);
-      if (volume_nodes(type)) {
-        scan_bytes(s, 4 * (size_t)nodes, "an element");
-        r->im.volumes++;
-        continue;
-      }
-      add_element2(r, type, tag[0], tag[1]);
-      for (int k = 0; k < nodes; k++) import_element_node(&r->im, (uint64_t)scan_b32(s, "a node"));
-    }
-    done += (size_t)count;
-  }
-}
-
-static void read_elements2(Reader *r)
-{
-  Scan *s = r->s;
-  bool binary = s->binary;
-  s->binary = false;
-  int64_t count = scan_i64(s, "the number of elements");
-  scan_line(s);
-  s->binary = binary;
-  size_t n = scan_count(s, count, 8, "elements");
-  if (binary)
-    read_binary_elements(r, n);
-  else
-    for (size_t i = 0; i < n && !s->failed; i++) read_ascii_element(r);
-}
-
-// ---- MSH 4 ----------------------------------------------------------------------------------------------------------------------
-// Boundary of a face: signed curves; tags beyond the largest curve are embedded curves, raised by it.
-static void part_embedded(MeshEntity *e, int largest_curve)
-{
-  size_t kept = 0;
-  for (size_t i = 0; i < e->boundary.len; i++) {
-    int tag = e->boundary.data[i];
-    if (tag > largest_curve)
-      vec_push(&e->embedded, tag - largest_curve);
-    else
-      e->boundary.data[kept++] = tag;
-  }
-  e->boundary.len = kept;
-}
-
-static void read_entity(Reader *r, int dim, int *largest_curve)
-{
-  int tag = get_int(r, "an entity tag");
-  Vec3 lo = get_point(r), hi = dim || r->version == 400 ? get_point(r) : lo;
-  if (r->s->failed) return;
-  MeshEntity volume = {0}, *e = dim < 3 ? import_entity(&r->im, dim, tag) : &volume;
-  e->lo = lo;
-  e->hi = hi;
-  get_tags(r, &e->physical, dim < 3, "a group tag");
-  if (dim) get_tags(r, &e->boundary, dim < 3, "a boundary tag");
-  if (dim == 1) *largest_curve = MAX(*largest_curve, tag);
-  if (dim == 2) part_embedded(e, *largest_curve);
-}
-
-static void read_entities(Reader *r)
-{
-  size_t count[4];
-  static const size_t bytes[4] = {36, 64, 64, 64};
-  int largest_curve = 0;
-  for (int dim = 0; dim < 4; dim++) count[dim] = get_count(r, 8, bytes[dim] - 8, "entities");
-  for (int dim = 0; dim < 4; dim++)
-    for (size_t i = 0; i < count[dim] && !r->s->failed; i++) read_entity(r, dim, &largest_curve);
-}
-
-// Header of a block: entity, a number that says what the block is of, count.
-typedef struct {
-  int dim, tag, kind;
-  size_t n;
-} BlockHead;
-
-static BlockHead read_head(Reader *r, size_t text, size_t bytes, const char *what)
-{
-  BlockHead h = {0};
-  int a = get_int(r, "a dimension"), b = get_int(r, "an entity tag");
-  h.dim = r->version == 400 ? b : a;
-  h.tag = r->version == 400 ? a : b;
-  h.kind = get_int(r, "a block header");
-  h.n = get_count(r, text, bytes, what);
-  if (!r->s->failed && (h.dim < 0 || h.dim > 3)) scan_error(r->s, "dimension %d of a block", h.dim);
-  if (r->s->failed) h.n = 0;
-  return h;
-}
-
-// Place of the nodes' entity as import_node wants it: nodes in volumes are on no entity known here.
-static void set_owner(Reader *r, BlockHead *h, int *dim, int *tag)
-{
-  const Piece *p = msh_pieces__find(r, h->dim, h->tag);
-  *dim = p ? p->parent_dim : h->dim;
-  *tag = p ? p->parent_tag : h->tag;
-  if (*dim < 0 || *dim > 2) *dim = -1;
-  if (p && p->ghosts) vec_push(&r->doubtful, ((NodeRange){r->im.mesh->nnode, h->n}));
-}
-
-static void read_node_block41(Reader *r, const BlockHead *h, int dim, int entity)
-{
-  Scan *s = r->s;
-  int extra = h->kind ? h->dim : 0;
-  if (!extra && msh__bulk_nodes(&r->im, h->n, dim, entity)) return;
-  Scan tags = *s; // the numbers come before the coordinates, and mostly one by one
-  uint64_t first = 0;
-  bool dense = true;
-  for (size_t i = 0; i < h->n && !s->failed; i++) {
-    uint64_t tag = (uint64_t)get_size(r, "a node number");
-    if (i == 0) first = tag;
-    dense = dense && tag == first + i;
-  }
-  for (size_t i = 0; i < h->n && !s->failed; i++) {
-    uint64_t tag = dense ? first + i : tags.binary ? scan_b64(&tags, "a node") : (uint64_t)scan_i64(&tags, "a node");
-    Vec3 x = get_point(r);
-    double u = NAN;
-    for (int k = 0; k < extra; k++) {
-      double v = get_double(r, "a parameter");
-      if (k == 0 && h->dim == 1) u = v;
-    }
-    import_node(&r->im, tag, x, dim, entity, u);
-  }
-}
-
-static void read_nodes4(Reader *r)
-{
-  Scan *s = r->s;
-  size_t blocks = get_count(r, 8, 20, "blocks"), total = get_count(r, 8, 28, "nodes");
-  if (r->version == 410) {
-    get_size(r, "the least node number");
-    get_size(r, "the largest node number");
-  }
-  import_reserve_nodes(&r->im, total);
-  for (size_t b = 0; b < blocks && !s->failed; b++) {
-    BlockHead h = read_head(r, 8, r->version == 410 ? 32 : 28, "nodes");
-    int dim, entity;
-    set_owner(r, &h, &dim, &entity);
-    if (r->version == 410) {
-      read_node_block41(r, &h, dim, entity);
-      continue;
-    }
-    for (size_t i = 0; i < h.n && !s->failed; i++) {
-      int64_t tag = s->binary ? scan_b32(s, "a node") : scan_i64(s, "a node number");
-      Vec3 x = get_point(r);
-      double u = NAN;
-      for (int k = 0; k < (h.kind ? h.dim : 0); k++) {
-        double v = get_double(r, "a parameter");
-        if (k == 0 && h.dim == 1) u = v;
-      }
-      import_node(&r->im, (uint64_t)tag, x, dim, entity, u);
-    }
-  }
-  if (!s->failed && r->im.mesh->nnode != total)
-    scan_error(s, "%zu nodes were announced, %zu are there", total, r->im.mesh->nnode);
-}
-
-static void read_element_block(Reader *r, const BlockHead *h)
-{
-  Scan *s = r->s;
-  int nodes = nodes_of_type(r, h->kind);
-  bool wide = r->version == 410, volume = volume_nodes(h->kind) != 0;
-  if (s->failed) return;
-  if (!volume && elem_dim((ElemType)h->kind) != h->dim) {
-    scan_error(s, "elements of type %d in an entity of dimension %d", h->kind, h->dim);
-    return;
-  }
-  if (s->binary) {
-    size_t size = (wide ? 8 : 4) * (1 + (size_t)nodes);
-    if (h->n > scan_left(s) / size) {
-      scan_error(s, "the file ends within a block of %zu elements", h->n);
-      return;
-    }
-    if (volume) s->p += size * h->n;
-  } else if (volume) {
-    scan_line(s);
-    for (size_t i = 0; i < h->n; i++) scan_line(s);
-  }
-  if (volume) {
-    r->im.volumes += h->n;
-    return;
-  }
-  if (!s->binary && scan_count(s, (int64_t)h->n, 2 * (1 + (size_t)nodes), "elements") != h->n) return;
-  const Piece *piece = msh_pieces__find(r, h->dim, h->tag);
-  import_part(&r->im, piece ? piece->part : 0);
-  uint32_t *to = import_elements(&r->im, (ElemType)h->kind, piece ? piece->parent_tag : h->tag, 0, h->n);
-  bool done = wide && msh__bulk_elements(&r->im, h->n, (size_t)nodes, to);
-  for (size_t i = 0; !done && i < h->n && !s->failed; i++) {
-    if (!s->binary)
-      scan_i64(s, "an element number");
-    else if (wide)
-      scan_b64(s, "an element");
-    else
-      scan_b32(s, "an element");
-    for (int k = 0; k < nodes; k++) {
-      uint64_t tag = !s->binary ? (uint64_t)scan_i64(s, "a node") : wide ? scan_b64(s, "a node") : (uint32_t)scan_b32(s, "a node");
-      *to++ = import_find(&r->im, tag);
-    }
-  }
-  if (piece && piece->foreign) import_drop(&r->im);
-}
-
-static void read_elements4(Reader *r)
-{
-  Scan *s = r->s;
-  size_t blocks = get_count(r, 8, 20, "blocks");
-  int64_t total = get_size(r, "the number of elements");
-  if (r->version == 410) {
-    get_size(r, "the least element number");
-    get_size(r, "the largest element number");
-  }
-  int64_t found = 0;
-  for (size_t b = 0; b < blocks && !s->failed; b++) {
-    BlockHead h = read_head(r, 4, 8, "elements");
-    read_element_block(r, &h);
-    found += (int64_t)h.n;
-  }
-  if (!s->failed && found != total)
-    scan_error(s, "%lld elements were announced, %lld are there", (long long)total, (long long)found);
-}
-
 // ---- the file ---------------------------------------------------------------------------------------------------------------------
 // End of section `name`: the next $End. Text after a complete section is no error, a missing end is.
 static void read_end(Reader *r, const char *name)
@@ -471,21 +159,21 @@ static void read_section(Reader *r, const char *name)
   } else if (strcmp(name, "PhysicalNames") == 0) {
     read_names(r);
   } else if (strcmp(name, "Entities") == 0 && v4) {
-    read_entities(r);
+    msh4_read__entities(r);
   } else if (strcmp(name, "PartitionedEntities") == 0 && v4) {
     msh_pieces__read(r);
   } else if (strcmp(name, "Nodes") == 0 || strcmp(name, "NOD") == 0 || strcmp(name, "ParametricNodes") == 0) {
     if (known_nodes) scan_error(r->s, "a second section $%s", name);
     r->nodes_seen = true;
     if (v4)
-      read_nodes4(r);
+      msh4_read__nodes(r);
     else
-      read_nodes2(r, name[0] == 'P');
+      msh2_read__nodes(r, name[0] == 'P');
   } else if (strcmp(name, "Elements") == 0 || strcmp(name, "ELM") == 0) {
     if (v4)
-      read_elements4(r);
+      msh4_read__elements(r);
     else
-      read_elements2(r);
+      msh2_read__elements(r);
   } else if (strcmp(name, "Periodic") == 0) {
     read_periodic(r);
   } else {

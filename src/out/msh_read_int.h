@@ -63,6 +63,19 @@ static inline void get_tags(Reader *r, IntVec *to, bool keep, const char *what)
   }
 }
 
+// Nodes of any element type, or 0 after an error (msh_read.c).
+int msh_read__nodes(Reader *r, int type);
+// Is a type that has nodes one of dimension 3, which are skipped?
+static inline bool msh_read__is_volume(int type) { return !elem_nodes((ElemType)type); }
+
+// Sections $Nodes, $NOD or $ParametricNodes, and $Elements or $ELM, of MSH 1 and 2 (msh2_read.c).
+void msh2_read__nodes(Reader *r, bool parametric);
+void msh2_read__elements(Reader *r);
+// $Entities, $Nodes and $Elements of MSH 4 (msh4_read.c).
+void msh4_read__entities(Reader *r);
+void msh4_read__nodes(Reader *r);
+void msh4_read__elements(Reader *r);
+
 // Entities of parts (msh_pieces.c). The piece that an entity is, or NULL.
 const Piece *msh_pieces__find(const Reader *r, int dim, int tag);
 // $PartitionedEntities.

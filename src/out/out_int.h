@@ -124,6 +124,8 @@ void msh__write_format(Writer *w, const char *version, const OutOptions *o);
 
 // The one tag of formats with one: the entity's, or its first group's.
 int select__tag(const MeshEntity *e, const OutOptions *o);
+// A line "x y z" for each node, after the prefix.
+void select__write_points(Writer *w, const Selection *s, const char *prefix);
 // True if a node is out of the plane z = 0.
 bool select__not_flat(const Selection *s);
 bool select__in_group(const MeshEntity *e, const MeshGroup *g);
@@ -167,6 +169,12 @@ static inline char *put_xyz(char *p, Vec3 x)
   p = put_double(p, x.x);
   p = put_double(put_char(p, ' '), x.y);
   return put_double(put_char(p, ' '), x.z);
+}
+// The numbers of an element's n nodes in the file, counted from `base`, a blank before each; in the order `perm` unless that is NULL.
+static inline char *put_node_numbers(char *p, const Selection *s, const uint32_t *node, const uint8_t *perm, size_t n, uint64_t base)
+{
+  for (size_t i = 0; i < n; i++) p = put_u64(put_char(p, ' '), s->number[node[perm ? perm[i] : i]] + base);
+  return p;
 }
 
 #endif

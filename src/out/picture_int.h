@@ -43,7 +43,6 @@ void picture__place_nodes(Picture *p);   // choose the view and the page, and pl
 void picture__to_pixel(const Picture *p, Vec3 x, double to[2]);
 void picture__measure_edges(Picture *p); // edge_px
 Color picture__ramp(double t);           // of quality from 0 to 1
-size_t picture__color_index(const Mesh *m, uint32_t entity);
 bool picture__has_elements(const Mesh *m, uint32_t entity);
 // Collect elements as polygons, then fill them all; `together` without seams between them.
 void picture__begin_polygons(Picture *p);

@@ -32,12 +32,8 @@ void picture__legend_title(Picture *p)
   char line[80];
   p->y = 22;
   if (p->o->title) picture__legend_text(p, ink, 19, true, p->o->title);
-  size_t tri = 0, quad = 0, lines = mesh_count(m, 1);
-  for (size_t b = 0; b < m->nblock; b++) {
-    if (elem_corners(m->block[b].type) == 3) tri += m->block[b].n;
-    if (elem_corners(m->block[b].type) == 4) quad += m->block[b].n;
-  }
-  struct { size_t n; const char *what; } row[] = {{tri, "triangle"}, {quad, "quadrangle"}, {lines, "line"}, {m->nnode, "node"}};
+  struct { size_t n; const char *what; } row[] = {{mesh_count_corners(m, 3), "triangle"}, {mesh_count_corners(m, 4), "quadrangle"},
+                                                  {mesh_count(m, 1), "line"}, {m->nnode, "node"}};
   for (size_t i = 0; i < ARRAY_LEN(row); i++) {
     if (!row[i].n) continue;
     picture__print_count(line, sizeof line, row[i].n, row[i].what);

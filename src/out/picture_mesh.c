@@ -205,7 +205,7 @@ static void push_loops(Picture *p, uint32_t face)
 }
 
 // Index of the colour of a face: that of its first group if it has one, else its own.
-size_t picture__color_index(const Mesh *m, uint32_t entity)
+static size_t color_index(const Mesh *m, uint32_t entity)
 {
   const MeshEntity *e = &m->entity[entity];
   size_t index = 0;
@@ -235,7 +235,7 @@ void picture__fill_by_group(Picture *p)
     if (p->mesh->entity[f].dim != 2 || !picture__has_elements(p->mesh, f)) continue;
     picture__begin_polygons(p);
     push_loops(p, f);
-    picture__fill(p, picture__face_colors[picture__color_index(p->mesh, f) % ARRAY_LEN(picture__face_colors)], true);
+    picture__fill(p, picture__face_colors[color_index(p->mesh, f) % ARRAY_LEN(picture__face_colors)], true);
   }
 }
 
@@ -343,7 +343,7 @@ void picture__draw_curves(Picture *p)
       if (elem_dim(k->type) != 1 || grouped != (e->physical.len > 0)) continue;
       vec_clear(&p->pts);
       push_lines(p, k);
-      Color c = grouped ? picture__line_colors[picture__color_index(m, k->entity) % ARRAY_LEN(picture__line_colors)] : ink;
+      Color c = grouped ? picture__line_colors[color_index(m, k->entity) % ARRAY_LEN(picture__line_colors)] : ink;
       canvas_segments(p->canvas, c, grouped ? 3.2 : 1.8, p->pts.data, p->pts.len / 4);
     }
 }

@@ -168,11 +168,6 @@ static bool has_extension(const char *path, const char *ext)
   return dot && strcasecmp(dot, ext) == 0;
 }
 
-bool points_is_file(const char *path)
-{
-  return has_extension(path, ".xyz") || has_extension(path, ".node") || has_extension(path, ".poly");
-}
-
 static ExitCode open_reader(Reader *r, const char *path, char **text, Diag *d)
 {
   size_t len;

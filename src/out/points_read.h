@@ -17,9 +17,7 @@ typedef struct {
   U32Vec labels;         // 1 per region
 } PointsFile;
 
-// Does the path end in .xyz, .node or .poly?
-bool points_is_file(const char *path);
-// Read a file of one of these kinds (by its extension; anything else as .xyz): numbers apart by blanks or commas, lines
+// Read a .xyz, .node or .poly file (by its extension; anything else as .xyz): numbers apart by blanks or commas, lines
 // that begin with # left out. A .poly without points takes them from the .node beside it. EXIT_GOOD, or an error through
 // d with the line: EXIT_INPUT (nothing to read, a number that is missing, nan or infinite, an index out of range) or
 // EXIT_ENVIRONMENT. Release with points_free in any case.

@@ -119,3 +119,25 @@ void select__group_name(const MeshGroup *g, char *to, size_t cap)
   for (char *p = to; *p; p++)
     if ((unsigned char)*p <= ' ' || *p == ',' || *p == '"' || *p == '=' || *p == '%') *p = '_';
 }
+
+// ---- points, a line each ----------------------------------------------------------------------------------------------
+typedef struct {
+  const Selection *s;
+  const char *prefix;
+} PointItems;
+
+static char *put_points(char *p, const void *ctx, size_t from, size_t to)
+{
+  const PointItems *t = ctx;
+  size_t n = strlen(t->prefix);
+  for (size_t k = from; k < to; k++) {
+    if (n) p = (char *)memcpy(p, t->prefix, n) + n;
+    p = put_char(put_xyz(p, select__xyz(t->s, k)), '\n');
+  }
+  return p;
+}
+
+void select__write_points(Writer *w, const Selection *s, const char *prefix)
+{
+  writer_items(w, s->nnode, 4 * NUMBER_MAX_TEXT, put_points, &(PointItems){s, prefix});
+}

@@ -16,10 +16,11 @@ const char *su2__refuses(const Selection *s)
 
 static size_t write_cells(Writer *w, const Selection *s, const MeshBlock *k, size_t number, bool numbered)
 {
-  int nodes = elem_nodes(k->type), vtk = vtk__cell_type(k->type);
+  int vtk = vtk__cell_type(k->type);
+  size_t nodes = (size_t)elem_nodes(k->type);
   for (size_t i = 0; i < k->n; i++) {
     char *p0 = writer_reserve(w, 128), *p = put_u64(p0, (uint64_t)vtk);
-    for (int a = 0; a < nodes; a++) p = put_u64(put_char(p, ' '), s->number[k->node[i * (size_t)nodes + (size_t)a]]);
+    p = put_node_numbers(p, s, k->node + i * nodes, NULL, nodes, 0);
     if (numbered) p = put_u64(put_char(p, ' '), number++);
     p = put_char(p, '\n');
     writer_commit(w, (size_t)(p - p0));

@@ -68,7 +68,7 @@ static void write_ele_file(Writer *w, const Selection *s, const OutOptions *o)
     uint64_t tag = (uint64_t)select__tag(&s->mesh->entity[k->entity], o);
     for (size_t j = 0; j < k->n; j++) {
       char *p0 = writer_reserve(w, 192), *p = put_u64(p0, number++);
-      for (int a = 0; a < nodes; a++) p = put_u64(put_char(p, ' '), s->number[k->node[j * (size_t)nodes + six[a]]] + s->node0);
+      p = put_node_numbers(p, s, k->node + j * (size_t)nodes, six, (size_t)nodes, s->node0);
       p = put_char(put_u64(put_char(p, ' '), tag), '\n');
       writer_commit(w, (size_t)(p - p0));
     }

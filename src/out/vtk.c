@@ -60,12 +60,6 @@ int vtk__order(ElemType t, uint8_t perm[ELEM_MAX_NODES])
   return n;
 }
 
-static char *put_points(char *p, const void *ctx, size_t from, size_t to)
-{
-  for (size_t k = from; k < to; k++) p = put_char(put_xyz(p, select__xyz(ctx, k)), '\n');
-  return p;
-}
-
 static char *put_binary_points(char *p, const void *ctx, size_t from, size_t to)
 {
   for (size_t k = from; k < to; k++, p += 24) {
@@ -91,8 +85,7 @@ static char *put_cells(char *p, const void *ctx, size_t from, size_t to)
   const uint32_t *node = t->block->node + from * (size_t)t->nodes;
   for (size_t j = from; j < to; j++, node += t->nodes) {
     p = put_u64(p, (uint64_t)t->nodes);
-    for (int a = 0; a < t->nodes; a++) p = put_u64(put_char(p, ' '), t->s->number[node[t->order[a]]]);
-    p = put_char(p, '\n');
+    p = put_char(put_node_numbers(p, t->s, node, t->order, (size_t)t->nodes, 0), '\n');
   }
   return p;
 }
@@ -208,7 +201,10 @@ void vtk__write(Writer *w, const Selection *s, const OutOptions *o)
   writer_printf(w, "# vtk DataFile Version 3.0\n%.200s\n%s\nDATASET UNSTRUCTURED_GRID\n",
                 o->title ? o->title : "meshgen", o->binary ? "BINARY" : "ASCII");
   writer_printf(w, "POINTS %zu double\n", s->nnode);
-  writer_items(w, s->nnode, 4 * NUMBER_MAX_TEXT, o->binary ? put_binary_points : put_points, s);
+  if (o->binary)
+    writer_items(w, s->nnode, 3 * sizeof(double), put_binary_points, s);
+  else
+    select__write_points(w, s, "");
   writer_char(w, '\n');
   write_cells(w, s, o->binary);
   writer_printf(w, "CELL_TYPES %zu\n", s->nelem);

@@ -18,7 +18,14 @@ typedef struct {
 } Forest;
 
 static uint32_t tree_of(const Forest *s, uint32_t x) { return (s->t->v[x].mark - s->base) / 2; }
-static uint32_t above(const Forest *s, uint32_t outer) { return s->up[s->t->v[outer].mate]; }
+
+// The outer vertex above an outer one of the forest ctx; NONE at the root.
+static uint32_t above(const void *ctx, uint32_t outer)
+{
+  const Forest *s = ctx;
+  uint32_t inner = s->t->v[outer].mate;
+  return inner == NONE ? NONE : s->up[inner];
+}
 
 static void match(const Forest *s, uint32_t x, uint32_t y)
 {
@@ -39,30 +46,11 @@ static void flip_path(const Forest *s, uint32_t x, uint32_t y)
   }
 }
 
-static uint32_t depth(const Forest *s, uint32_t x)
-{
-  uint32_t d = 0;
-  for (; s->t->v[x].mate != NONE; x = above(s, x)) d++;
-  return d;
-}
-
-static uint32_t common_ancestor(const Forest *s, uint32_t x, uint32_t y)
-{
-  uint32_t dx = depth(s, x), dy = depth(s, y);
-  for (; dx > dy; dx--) x = above(s, x);
-  for (; dy > dx; dy--) y = above(s, y);
-  while (x != y) {
-    x = above(s, x);
-    y = above(s, y);
-  }
-  return x;
-}
-
 // The outer vertices x and y of one tree are joined by a tight edge: the cycle stays that goes up from each
 // of them to their common ancestor.
 static void make_cycle(const Forest *s, uint32_t x, uint32_t y)
 {
-  uint32_t top = common_ancestor(s, x, y), next = y;
+  uint32_t top = blossom__common_ancestor(s, above, x, y), next = y;
   flip_path(s, top, NONE);
   for (uint32_t o = x, i; o != top; o = s->up[i]) { // from top down to x, and over to y
     i = s->t->v[o].mate;

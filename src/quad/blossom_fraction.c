@@ -101,32 +101,18 @@ static void flip_path(const Frac *f, uint32_t x, uint32_t a)
 
 // ---- odd cycles
 
-static uint32_t above(const Frac *f, uint32_t outer) { return f->arc[f->v[frac__mate(f, outer)].pred].head; }
-
-static uint32_t depth(const Frac *f, uint32_t x)
+// The outer vertex above an outer one of ctx; NONE at the root.
+static uint32_t above(const void *ctx, uint32_t outer)
 {
-  uint32_t d = 0;
-  for (; f->v[x].match != NONE; x = above(f, x)) d++;
-  return d;
-}
-
-static uint32_t common_ancestor(const Frac *f, uint32_t u, uint32_t v)
-{
-  uint32_t du = depth(f, u), dv = depth(f, v);
-  for (; du > dv; du--) u = above(f, u);
-  for (; dv > du; dv--) v = above(f, v);
-  while (u != v) {
-    u = above(f, u);
-    v = above(f, v);
-  }
-  return u;
+  const Frac *f = ctx;
+  return f->v[outer].match == NONE ? NONE : f->arc[f->v[frac__mate(f, outer)].pred].head;
 }
 
 // The arc a joins two outer vertices of what was one tree: the root goes up to their common ancestor, and the cycle from there
 // to the tail of a, over a, and back stays.
 static void make_cycle(const Frac *f, uint32_t a)
 {
-  uint32_t u = f->arc[a].tail, v = f->arc[a].head, top = common_ancestor(f, u, v), x = top;
+  uint32_t u = f->arc[a].tail, v = f->arc[a].head, top = blossom__common_ancestor(f, above, u, v), x = top;
   f->stats->shrink++;
   flip_path(f, top, NONE);
   f->v[u].pred = a;

@@ -104,6 +104,18 @@ typedef struct {
   uint32_t *arc_edge;  // edge of each arc
 } Blossom;
 
+// Nearest common ancestor of x and y in one tree, in which above(ctx, x) is what x hangs on, NONE at the root. O(depth).
+static inline uint32_t blossom__common_ancestor(const void *ctx, uint32_t (*above)(const void *ctx, uint32_t x), uint32_t x, uint32_t y)
+{
+  int64_t deeper = 0; // is x than y
+  for (uint32_t k = above(ctx, x); k != NONE; k = above(ctx, k)) deeper++;
+  for (uint32_t k = above(ctx, y); k != NONE; k = above(ctx, k)) deeper--;
+  for (; deeper > 0; deeper--) x = above(ctx, x);
+  for (; deeper < 0; deeper++) y = above(ctx, y);
+  for (; x != y; x = above(ctx, x)) y = above(ctx, y);
+  return x;
+}
+
 static inline int64_t blossom__clock(const Blossom *b, uint32_t tree)
 {
   return b->tree[tree].clock + (b->tree[tree].life == GROWING ? b->now : 0);

@@ -80,9 +80,12 @@ static void fell(Regions *g, uint32_t root)
   for (uint32_t k = root; k != NONE; k = g->region.data[k].link) scan_idle(g, k);
 }
 
-static uint32_t above(const Regions *g, uint32_t k)
+// The region above the region k of ctx; NONE at the root.
+static uint32_t above(const void *ctx, uint32_t k)
 {
-  return g->port.data[g->arc.data[g->region.data[k].pred].head].side / 2;
+  const Regions *g = ctx;
+  uint32_t pred = g->region.data[k].pred;
+  return pred == NONE ? NONE : g->port.data[g->arc.data[pred].head].side / 2;
 }
 
 // Note the arcs that lead from the region k up to `top`.
@@ -97,25 +100,6 @@ static void match_path(Regions *g)
 }
 
 // ---- odd cycles found
-
-static uint32_t depth(const Regions *g, uint32_t k)
-{
-  uint32_t d = 0;
-  for (; g->region.data[k].pred != NONE; k = above(g, k)) d++;
-  return d;
-}
-
-static uint32_t common_ancestor(const Regions *g, uint32_t k, uint32_t l)
-{
-  uint32_t dk = depth(g, k), dl = depth(g, l);
-  for (; dk > dl; dk--) k = above(g, k);
-  for (; dl > dk; dl--) l = above(g, l);
-  while (k != l) {
-    k = above(g, k);
-    l = above(g, l);
-  }
-  return k;
-}
 
 // From region k up to `top`.
 static void freeze(Regions *g, uint32_t k, uint32_t top, uint32_t cycle)
@@ -143,7 +127,7 @@ static void thaw(Regions *g, uint32_t k, uint32_t top)
 static void find_cycle(Regions *g, uint32_t a)
 {
   uint32_t x = regions__at(g, g->arc.data[a].tail), y = regions__at(g, g->arc.data[a].head);
-  uint32_t root = g->region.data[x].tree, top = common_ancestor(g, x, y), cycle = (uint32_t)g->cycle.len;
+  uint32_t root = g->region.data[x].tree, top = blossom__common_ancestor(g, above, x, y), cycle = (uint32_t)g->cycle.len;
   g->f->stats->shrink++;
   vec_push(&g->cycle, ((FoundCycle){a, top}));
   vec_clear(&g->path);

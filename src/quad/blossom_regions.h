@@ -98,6 +98,7 @@ static inline void regions__set_sign(const Regions *g, Region *r, int s)
   r->sign = s;
 }
 
+// The graph of the regions that t has, `nregion` of them, with the duals of f; release with regions__finish. O(arcs).
 void regions__init(Regions *g, Frac *f, Tight *t, uint32_t nregion);
 // Give duals to the vertices of f, and release g.
 void regions__finish(Regions *g);

@@ -24,6 +24,7 @@ typedef struct {
   uint32_t *head;
 } Tight;
 
+// Room for the vertices and arcs of f, without regions; what is in it comes with tight__read.
 void tight__init(const Frac *f, Tight *t);
 void tight__release(Tight *t);
 // Take mates and tight edges from f; marks are 0.

@@ -39,7 +39,7 @@ double quad_mesh_size(const QuadMesh *m, uint32_t v, Vec2 p);
 static inline size_t quad_mesh_elements(const QuadMesh *m) { return m->vertex.len / 4; }
 static inline bool quad_mesh_is_quad(const QuadMesh *m, size_t e) { return m->vertex.data[4 * e + 3] != NONE; }
 static inline uint32_t quad_mesh_corners(const QuadMesh *m, size_t e) { return quad_mesh_is_quad(m, e) ? 4 : 3; }
-size_t quad_mesh_triangles(const QuadMesh *m);
+size_t quad_mesh_triangles(const QuadMesh *m); // of the elements; O(n)
 
 // For each side 4e+i of each element the side 4f+j of its neighbour, or NONE; sides of more than two elements get NONE.
 // twin has 4 entries an element; the caller frees it. O(n).
@@ -96,7 +96,6 @@ void quad_recombine(QuadMesh *m, const QuadParams *p, QuadReport *report);
 void quad_match_greedy(QuadMesh *m, double angle);
 void quad_match_blossom(QuadMesh *m, QuadReport *report);
 void quad_repair(QuadMesh *m, QuadReport *report);   // bring leftover triangles of one part together in pairs
-void quad_split_all(QuadMesh *m, const QuadParams *p);
 // Put a smaller quad and four around it in the place of each quad that is not convex or worse than min_eta, where that gives five
 // that are clearly better than it was and not worse than `better`; returns how many.
 size_t quad_fill_bad(QuadMesh *m, double min_eta, double better);

@@ -20,6 +20,7 @@ typedef struct {
   double floor;           // skew that elements may get to the gain of others
 } QuadEdit;
 
+// Begin to change m, which must not be changed otherwise until the end; O(n).
 void quad__edit_begin(QuadEdit *d, QuadMesh *m);
 void quad__edit_end(QuadEdit *d);
 // A new vertex as of quad__add_vertex, with no elements yet; the last one added is dropped again.

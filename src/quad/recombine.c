@@ -176,7 +176,7 @@ static uint32_t add_centre(QuadMesh *m, const uint32_t *v, uint32_t n)
   return quad__add_vertex(m, vec2_scale(1.0 / n, c), v, n);
 }
 
-void quad_split_all(QuadMesh *m, const QuadParams *p)
+static void split_all(QuadMesh *m, const QuadParams *p)
 {
   size_t ne = quad_mesh_elements(m), len = 0;
   uint32_t *twin = quad_mesh_twins(m), *mid = mem_alloc((4 * ne + 1) * sizeof *mid);
@@ -297,7 +297,7 @@ void quad_recombine(QuadMesh *m, const QuadParams *p, QuadReport *report)
     cut_bad(m, p, report);
   } else {
     report->cut = quad_cut_bad(m, 0);
-    quad_split_all(m, p);
+    split_all(m, p);
     scale_sizes(m, 0.5);
     if (p->cleanup) quad_clean(m, p->cleanup, report);
     if (p->smoothing) quad_smooth(m, p->smoothing);

@@ -104,7 +104,7 @@ struct Node {
 };
 
 static inline bool node_is_list(const Node *n) { return n->flags & NODE_IS_LIST; }
-const char *node_kind_name(NodeKind kind);
+const char *node_kind_name(NodeKind kind); // as node_print writes it
 // Append the tree as one S-expression.
 void node_print(const Node *n, const Words *words, Str *out);
 

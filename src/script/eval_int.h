@@ -93,7 +93,7 @@ DoubleVec *script__take(Script *s); // an empty vector; give back in reverse ord
 void script__give(Script *s, DoubleVec *v);
 char *script__path(Script *s, const char *name); // relative to the folder of the running file; in s->temp
 
-// ---- values (eval.c, eval_list.c, eval_text.c, eval_call.c) ---------------------------------------------
+// ---- values (eval.c, eval_text.c, eval_call.c) ---------------------------------------------
 double eval_number(Script *s, const Node *n);
 void eval_list(Script *s, const Node *n, DoubleVec *out); // appends
 void eval_ints(Script *s, const Node *n, int dim,

@@ -36,14 +36,11 @@ bool eval_is_text(Script *s, const Node *n)
   }
 }
 
+// Only groups have names.
 static const char *entity_name(Script *s, const Node *n)
 {
   int dim = n->op, tag = eval_int(s, n->kid[0]->n ? n->kid[0]->kid[0] : n->kid[0]);
-  if (!(n->flags & LIST_PHYSICAL)) {
-    const char *name = model_name(s->model, dim, tag);
-    return name ? name : "";
-  }
-  const Group *g = model_group(s->model, dim, tag);
+  const Group *g = n->flags & LIST_PHYSICAL ? model_group(s->model, dim, tag) : NULL;
   return g && g->name ? g->name : "";
 }
 
@@ -152,7 +149,7 @@ void eval_texts(Script *s, const Node *n, TextVec *out)
 
 // ---- formats ---------------------------------------------
 
-// One conversion at f[0] == '%'. Returns past it, or NULL if it is none that numbers can have.
+// One conversion at f[0] == '%'. Returns past it, NULL if it is none that numbers can have, or f if it is too wide.
 static const char *convert(const char *f, double v, Str *out)
 {
   char spec[32];
@@ -166,7 +163,7 @@ static const char *convert(const char *f, double v, Str *out)
     spec[n++] = *p++;
     while (*p >= '0' && *p <= '9' && precision < 1000) precision = 10 * precision + (spec[n++] = *p++) - '0';
   }
-  if (width > 500 || precision > 100) return NULL;
+  if (width > 500 || precision > 100) return f;
   while (*p == 'l' || *p == 'h') p++;
   if (*p && strchr("gGeEfFaA", *p)) {
     spec[n++] = *p;
@@ -208,17 +205,23 @@ void format_numbers(Script *s, SrcLoc loc, const char *format, const double *val
       continue;
     }
     any = true;
-    if (used == n) {
+    if (used == n && n) {
       script__error(s, loc, "too few numbers for this format: %zu given", n);
       return;
     }
-    const char *next = convert(f, value[used], out);
-    if (!next) {
-      script__error(s, loc, "'%%%c' in this format is not for numbers; %%g, %%e and %%f are",
-                    f[1] ? f[1] : ' ');
+    const char *next = n ? convert(f, value[used++], out) : NULL;
+    if (next == f) {
+      script__error(s, loc, "this format has a number wider than 500 characters or with more than 100 digits");
       return;
     }
-    used++;
+    if (!next) { // Gmsh prints it as it is, or garbage
+      if (n)
+        diag_warning(s->diag, loc, "'%%%c' in this format is not for numbers, and stays as it is; %%g, %%e and %%f are", f[1] ? f[1] : ' ');
+      else if (f[1] && strchr("gGeEfFaAdiuxXo", f[1]))
+        diag_warning(s->diag, loc, "no numbers for this format: '%%%c' stays as it is", f[1]);
+      str_char(out, '%');
+      next = f + 1;
+    }
     f = next;
   }
   if (!any) {

@@ -30,6 +30,7 @@ typedef struct {
   Str error; // text of the syntax error
 } Parser;
 
+// Parse text[len], which diag knows as `file` and which, like words and diag, must outlive the parser.
 void parser_init(Parser *p, Diag *diag, Words *words, uint32_t file, const char *text, size_t len);
 void parser_free(Parser *p);
 

@@ -44,7 +44,7 @@ Node *parse__transfinite(Parser *p)
 }
 
 // mesh_set -> ("Recombine" | "Smoother" | "MeshAlgorithm" | "MeshSizeFromBoundary" | "ReverseMesh"
-//            | "Reverse" | "RelocateMesh" | "Degenerated") entity list ["=" number] ";"
+//            | "Reverse" | "ReorientMesh" | "RelocateMesh" | "Degenerated") entity list ["=" number] ";"
 Node *parse__mesh_set(Parser *p)
 {
   Token t = parse__advance(p);

@@ -87,11 +87,14 @@ static bool parse_extrude_parameter(Parser *p, ExtrudeParameters *out)
     while (p->tok.kind != ';' && p->tok.kind != TOK_END) parse__advance(p);
     parse__semicolon(p);
     return true;
-  case KW_ScaleLastLayer:
   case KW_QuadTriAddVerts:
   case KW_QuadTriNoNewVerts:
   case KW_QuadTriDbl:
-  case KW_QuadTriSngl: // shape the volumes only
+  case KW_QuadTriSngl:
+    diag_warning(p->diag, t.loc, "'%s' is left out: it fits volumes of hexahedra to tetrahedra, and the surfaces keep their quadrangles",
+                 words_text(p->words, t.word));
+    // fall through
+  case KW_ScaleLastLayer: // shapes the volumes only
     parse__advance(p);
     parse__accept_word(p, KW_RecombLaterals);
     parse__semicolon(p);

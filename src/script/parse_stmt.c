@@ -213,6 +213,51 @@ static Node *parse_soft(Parser *p)
   }
 }
 
+// Why a statement that begins with the word is not carried out; NULL if it is no such word.
+static const char *refusal(uint32_t word)
+{
+  switch (word) {
+  case KW_Parametric: return "Surface is not supported: only Plane Surface and Surface are";
+  case KW_Sphere: return "is not supported: the plane of a face is the only geometry of surfaces here";
+  case KW_Box:
+  case KW_Cylinder:
+  case KW_Cone:
+  case KW_Torus:
+  case KW_Wedge:
+  case KW_ThickSolid: return "needs the OpenCASCADE kernel, which this program does not have";
+  case KW_Coordinates:
+  case KW_Euclidean: return "is not supported: coordinates are Cartesian here";
+  case KW_Levelset:
+  case KW_AdaptMesh:
+  case KW_TransformMesh:
+  case KW_ClassifySurfaces:
+  case KW_CreateTopology:
+  case KW_CreateGeometry:
+  case KW_SetPartition:
+  case KW_OnelabRun: return "is not supported";
+  case KW_Homology:
+  case KW_Cohomology:
+  case KW_Betti: return "is left out: no chains are computed here";
+  default: return NULL;
+  }
+}
+
+// A statement that cannot be carried out, or nothing that begins one.
+static Node *parse_refused(Parser *p)
+{
+  Token t = p->tok;
+  const char *why = refusal(t.word);
+  if (why) {
+    parse__advance(p);
+    Node *n = parse__unsupported(p, t, why);
+    n->op = t.word == KW_Homology || t.word == KW_Cohomology || t.word == KW_Betti; // the mesh is good without it
+    return n;
+  }
+  if (is_assignment(parse__peek(p).kind))
+    parse__fail(p, t.loc, "'%.*s' is a word of the language and cannot be a variable", (int)t.len, t.start);
+  parse__expected(p, "a statement");
+}
+
 static Node *parse_keyword(Parser *p)
 {
   Token t = p->tok;
@@ -256,27 +301,7 @@ static Node *parse_keyword(Parser *p)
   case KW_Wire: parse__advance(p); return parse__definition(p, t, t.word, 1);
   case KW_Rectangle:
   case KW_Disk: parse__advance(p); return parse__definition(p, t, t.word, 2);
-  case KW_Parametric:
-    parse__advance(p);
-    return parse__unsupported(p, t, "Surface is not supported: only Plane Surface and Surface are");
   case KW_PolarSphere: parse__advance(p); return parse__definition(p, t, KW_PolarSphere, 0);
-  case KW_Sphere:
-    parse__advance(p);
-    return parse__unsupported(p, t,
-                              "is not supported: the plane of a face is the only geometry of surfaces here");
-  case KW_Box:
-  case KW_Cylinder:
-  case KW_Cone:
-  case KW_Torus:
-  case KW_Wedge:
-  case KW_ThickSolid:
-    parse__advance(p);
-    return parse__unsupported(p, t, "needs the OpenCASCADE kernel, which this program does not have");
-  case KW_Coordinates:
-  case KW_Euclidean:
-    parse__advance(p);
-    return parse__unsupported(p, t, "is not supported: coordinates are Cartesian here");
-  case KW_Levelset: parse__advance(p); return parse__unsupported(p, t, "is not supported");
   case KW_Compound: return parse__compound(p);
   case KW_Transfinite: return parse__transfinite(p);
   case KW_TransfQuadTri: {
@@ -291,6 +316,7 @@ static Node *parse_keyword(Parser *p)
   case KW_Smoother:
   case KW_MeshAlgorithm:
   case KW_MeshSizeFromBoundary:
+  case KW_ReorientMesh:
   case KW_ReverseMesh:
   case KW_RelocateMesh:
   case KW_Degenerated: return parse__mesh_set(p);
@@ -339,21 +365,6 @@ static Node *parse_keyword(Parser *p)
   case KW_RenumberMeshElements:
   case KW_PartitionMesh:
   case KW_UnsplitWindow: return parse_command(p);
-  case KW_AdaptMesh:
-  case KW_TransformMesh:
-  case KW_ClassifySurfaces:
-  case KW_CreateTopology:
-  case KW_CreateGeometry:
-  case KW_SetPartition:
-  case KW_OnelabRun: parse__advance(p); return parse__unsupported(p, t, "is not supported");
-  case KW_Homology:
-  case KW_Cohomology:
-  case KW_Betti: {
-    parse__advance(p);
-    Node *n = parse__unsupported(p, t, "is left out: no chains are computed here");
-    n->op = 1; // the mesh is good without it
-    return n;
-  }
   case KW_Extrude:
   case KW_Translate:
   case KW_Rotate:
@@ -377,11 +388,8 @@ static Node *parse_keyword(Parser *p)
   case KW_Chamfer:
   case KW_ShapeFromFile:
   case KW_HealShapes: return parse_value_statement(p);
-  default: break;
+  default: return parse_refused(p);
   }
-  if (is_assignment(parse__peek(p).kind))
-    parse__fail(p, t.loc, "'%.*s' is a word of the language and cannot be a variable", (int)t.len, t.start);
-  parse__expected(p, "a statement");
 }
 
 // A line of <<<<<<<, ======= or >>>>>>>; only the first is reported.

@@ -103,6 +103,9 @@ void run_mesh_set(Script *s, const Node *n)
     case KW_ReverseMesh:
       if (n->op == 1 || n->op == 2) model_set_reverse(m, n->op, t, k, n->loc, s->diag);
       break;
+    case KW_ReorientMesh:
+      diag_warning(s->diag, n->loc, "'ReorientMesh' is left out: volumes are not meshed, and surfaces are turned as their loops are");
+      break;
     case KW_Degenerated:
       if (n->op == 1) model_set_degenerate(m, t, k, n->loc, s->diag);
       break;

@@ -315,7 +315,7 @@ void run_coherence(Script *s, const Node *n)
     vec_free(&point);
     return;
   }
-  model_coherence(s->model, s->diag);
+  if (!model_settings(s->model)->opencascade || !model_fragment_all(s->model, n->loc, s->diag)) model_coherence(s->model, s->diag);
 }
 
 // ---- periodicity: here for its maps ---------------------------------------------

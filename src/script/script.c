@@ -140,39 +140,6 @@ void script_forget_variables(Script *s)
   }
 }
 
-static void print_list(const double *v, size_t n, Str *out)
-{
-  str_char(out, '{');
-  for (size_t i = 0; i < n; i++) {
-    if (i) str_append(out, ", ");
-    str_double(out, v[i]);
-  }
-  str_append(out, "};\n");
-}
-
-void script_print_symbols(const Script *s, Str *out)
-{
-  for (uint32_t i = 0; i < s->var.len; i++) {
-    const Variable *v = &s->var.data[i];
-    const char *name = words_text(&s->words, i);
-    if (v->kind == VAR_SCALAR) {
-      str_printf(out, "%s = ", name);
-      str_double(out, v->value);
-      str_append(out, ";\n");
-    } else if (v->kind == VAR_LIST) {
-      str_printf(out, "%s[] = ", name);
-      print_list(v->list.data, v->list.len, out);
-    }
-    if (v->ntext == 1 && !v->text_is_list)
-      str_printf(out, "%s = \"%s\";\n", name, v->text[0]);
-    else if (v->ntext) {
-      str_printf(out, "%s[] = Str(", name);
-      for (uint32_t k = 0; k < v->ntext; k++) str_printf(out, "%s\"%s\"", k ? ", " : "", v->text[k]);
-      str_append(out, ");\n");
-    }
-  }
-}
-
 void script_dump_ast(Diag *diag, const char *name, const char *text, size_t len, Str *out)
 {
   Words words;

@@ -76,8 +76,6 @@ ScriptEnd script_run_text(Script *s, const char *name, const char *text, size_t 
 // n of `Exit n;`; -1 for `Exit;`, which leaves the choice to the caller.
 int script_exit_code(const Script *s);
 
-// Append all variables as .geo text, in order of their first appearance.
-void script_print_symbols(const Script *s, Str *out);
 // Append the syntax tree of a text, one S-expression a statement; errors go to diag. For tests and -dump_ast.
 void script_dump_ast(Diag *diag, const char *name, const char *text, size_t len, Str *out);
 

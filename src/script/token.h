@@ -20,6 +20,7 @@ typedef enum {
   KW_COUNT // also: no word
 } Keyword;
 
+// May the word be no name of a variable?
 bool keyword_reserved(uint32_t word);
 
 // Interned identifiers: equal texts have equal ids, counted from 0 in order of first appearance, keywords
@@ -32,6 +33,7 @@ typedef struct {
   Arena arena;
 } Words;
 
+// With the keywords; release with words_free.
 void words_init(Words *w);
 void words_free(Words *w);
 // Id of s[n]; synonyms give the id of their meaning. NONE if LIMIT_SYMBOLS words are known. Expected O(n).

@@ -18,32 +18,11 @@
 #define LIST(name, old, help) {name, old, FIELD_LIST, 0, "", help},
 #define END };
 #include "size/field.def"
-#undef FIELD
-#undef NUM
-#undef INT
-#undef BOOL
-#undef STRING
-#undef PATH
-#undef LIST
-#undef END
 
 static const FieldType types[] = {
 #define FIELD(kind, name, old, help) {name, old, options_##kind, (int)ARRAY_LEN(options_##kind), help},
-#define NUM(name, old, def, help)
-#define INT(name, old, def, help)
-#define BOOL(name, old, def, help)
-#define STRING(name, old, text, help)
-#define PATH(name, old, help)
-#define LIST(name, old, help)
-#define END
 #include "size/field.def"
 };
-
-const FieldType *field_types(size_t *n)
-{
-  *n = ARRAY_LEN(types);
-  return types;
-}
 
 const FieldType *field__type(FieldKind k)
 {
@@ -318,12 +297,6 @@ double field_get_number(const FieldSet *f, int id, const char *option)
   return v ? v->number : NAN;
 }
 
-const char *field_get_string(const FieldSet *f, int id, const char *option)
-{
-  const FieldValue *v = look_up(f, id, option);
-  return v ? v->text : NULL;
-}
-
 const double *field_get_list(const FieldSet *f, int id, const char *option, size_t *n)
 {
   const FieldValue *v = look_up(f, id, option);
@@ -350,11 +323,6 @@ void fields_set_background(FieldSet *f, int id, SrcLoc loc)
   f->background = id;
   f->background_loc = loc;
   f->background_view = -1;
-}
-
-int fields_background(const FieldSet *f)
-{
-  return f->background;
 }
 
 void fields_set_background_view(FieldSet *f, int index, SrcLoc loc)

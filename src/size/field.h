@@ -11,7 +11,7 @@
 
 typedef struct FieldSet FieldSet;
 
-FieldSet *fields_new(void);
+FieldSet *fields_new(void);    // without fields; owned by the caller
 void fields_free(FieldSet *f); // NULL is fine
 
 // ---- fields -------------------------------------------------------------------------------------------------------
@@ -29,19 +29,17 @@ void fields_clear(FieldSet *f); // Delete All / Delete Model: fields and backgro
 // all fields.
 void fields_add_parts(FieldSet *f, int dim, int tag, const int *part, size_t n);
 
-bool field_exists(const FieldSet *f, int id);
+bool field_exists(const FieldSet *f, int id); // O(log n)
 int fields_max_id(const FieldSet *f); // 0 if there is none; newf is one more
 
 // Reading back, defaults included, by current or old name. Unknown id or option: NULL, NAN, or an empty list.
 const char *field_type(const FieldSet *f, int id); // current name, as "Distance" for an "Attractor"
 double field_get_number(const FieldSet *f, int id, const char *option);
-const char *field_get_string(const FieldSet *f, int id, const char *option);
 const double *field_get_list(const FieldSet *f, int id, const char *option, size_t *n); // owned by the set
 SrcLoc field_loc(const FieldSet *f, int id);
 
 // Background Field = id; the last one wins, -1 for none. Whether it exists is checked by size_new (a warning).
 void fields_set_background(FieldSet *f, int id, SrcLoc loc);
-int fields_background(const FieldSet *f);
 // BoundaryLayer Field = {ids}: these too, besides those of former calls.
 void fields_set_boundary_layers(FieldSet *f, const double *id, size_t n, SrcLoc loc);
 size_t fields_boundary_layers(const FieldSet *f, const int **id);
@@ -57,7 +55,6 @@ bool view_add_element(FieldSet *f, const char *type, const double *xyz, size_t n
 // A whole .pos text: `View "name" { ST(..){..}; ... };` any number of times, T2/T3 texts and interpolation schemes skipped. Much
 // faster than parsing it as a script. Returns false after an error, reported in the file `name`.
 bool views_read_pos(FieldSet *f, const char *name, const char *text, size_t len, Diag *diag);
-size_t views_count(const FieldSet *f);
 // Background Mesh View[index].
 void fields_set_background_view(FieldSet *f, int index, SrcLoc loc);
 // -bgm: read a .pos or an ASCII .msh with $NodeData or $ElementNodeData, and make its last view the background. False (reported).
@@ -78,6 +75,5 @@ typedef struct {
   int noption;
   const char *help;
 } FieldType;
-const FieldType *field_types(size_t *n);
 
 #endif

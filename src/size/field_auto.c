@@ -85,7 +85,7 @@ static void sample_face(Sampler *a, const Face *f)
   for (size_t i = 0; i < curve.len; i++) {
     a->c = model_curve(a->s->model, curve.data[i]);
     if (!a->c || a->c->degenerate) continue;
-    a->sense = curve.data[i] > 0 ? 1 : -1;
+    a->sense = curve.data[i] >= 0 ? 1 : -1;
     refine(a, take_sample(a, 0), take_sample(a, 1), 0);
   }
   vec_free(&curve);

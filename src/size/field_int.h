@@ -10,22 +10,7 @@
 
 typedef enum {
 #define FIELD(kind, name, old, help) FIELD_##kind,
-#define NUM(name, old, def, help)
-#define INT(name, old, def, help)
-#define BOOL(name, old, def, help)
-#define STRING(name, old, text, help)
-#define PATH(name, old, help)
-#define LIST(name, old, help)
-#define END
 #include "size/field.def"
-#undef FIELD
-#undef NUM
-#undef INT
-#undef BOOL
-#undef STRING
-#undef PATH
-#undef LIST
-#undef END
   FIELD_KINDS
 } FieldKind;
 

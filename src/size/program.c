@@ -6,7 +6,7 @@
 
 #include "size/size_int.h"
 
-const FieldOps *size__ops(FieldKind k)
+static const FieldOps *ops_of(FieldKind k)
 {
   switch (k) {
   case FIELD_DISTANCE: return &ops_distance;
@@ -94,7 +94,7 @@ uint32_t size__compile(SizeField *s, int id, SrcLoc from, Diag *diag)
     return NONE;
   }
   s->open = &here;
-  Node n = {.field = f, .ops = size__ops(f->kind)};
+  Node n = {.field = f, .ops = ops_of(f->kind)};
   uint32_t k = finish_node(s, &n, diag);
   s->open = here.outer;
   if (k != NONE) map_set(&s->node_of, (uint64_t)id, k);

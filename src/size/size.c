@@ -121,7 +121,6 @@ void size_eval_free(SizeEval *e)
 
 bool size_has_field(const SizeField *s) { return s->root != NONE; }
 double size_diagonal(const SizeField *s) { return s->diagonal; }
-double size_factor(const SizeField *s) { return s->factor; }
 double size_gradation(const SizeField *s) { return s->gradation; }
 
 // ---- the parts ------------------------------------------------------------------------------------------------------
@@ -183,7 +182,7 @@ static size_t point_index(const Model *m, int tag)
   return lo;
 }
 
-double size__of_point(const SizeField *s, const Point *p)
+static double size_of_point(const SizeField *s, const Point *p)
 {
   double h = s->diagonal;
   if (s->from_points) h = fmin(h, p->lc >= LC_UNSET ? s->diagonal / 10 : p->lc);
@@ -239,7 +238,7 @@ static double with_field(SizeEval *e, double geometry, Vec3 at, Where w)
 
 double size_at_point(SizeEval *e, const Point *p)
 {
-  return with_field(e, size__of_point(e->s, p), p->xyz, (Where){0, p->tag});
+  return with_field(e, size_of_point(e->s, p), p->xyz, (Where){0, p->tag});
 }
 
 double size_on_curve(SizeEval *e, const Curve *c, double u, Vec3 p)

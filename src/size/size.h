@@ -27,6 +27,7 @@ typedef struct SizeEval SizeEval;
 SizeField *size_new(const Model *model, const Options *options, const FieldSet *fields, Diag *diag);
 void size_free(SizeField *s); // NULL is fine
 
+// What one thread needs to evaluate s, which must outlive it: several may evaluate the same s at once.
 SizeEval *size_eval_new(const SizeField *s);
 void size_eval_free(SizeEval *e);
 
@@ -61,7 +62,6 @@ bool size_eval_warn(SizeEval *e, Diag *diag);
 
 bool size_has_field(const SizeField *s);  // a background field or view
 double size_diagonal(const SizeField *s); // D
-double size_factor(const SizeField *s);   // MeshSizeFactor
 // Whether Mesh.SizeGradation limits sizes, and its slope alpha - 1; else 0 (curves then use SmoothRatio).
 double size_gradation(const SizeField *s);
 

@@ -108,7 +108,6 @@ bool size__refer(SizeField *s, Node *n, int id, SrcLoc loc, Diag *diag);
 
 // Sizes by points, curvature and D alone, before clamping.
 double size__of_curve(const SizeField *s, const Curve *c, double u);
-double size__of_point(const SizeField *s, const Point *p);
 
 // A search tree for pieces of the model's curves (by index), to be built when they are added: pieces.c
 Nearest *size__pieces_new(const Model *m);
@@ -118,7 +117,6 @@ uint32_t size__curve_index(const Model *m, int tag); // NONE if there is none; s
 // Of a symmetric 3x3 matrix given by rows of its upper half; of the absolute values if asked.
 double size__largest_eigenvalue(const double m[6], bool absolute);
 
-const FieldOps *size__ops(FieldKind k);
 extern const FieldOps ops_threshold, ops_box, ops_ball, ops_cylinder, ops_frustum, ops_min, ops_max, ops_restrict, ops_constant,
     ops_mean, ops_gradient, ops_curvature, ops_laplacian, ops_hessian, ops_lonlat, ops_same, ops_math, ops_metric, ops_param,
     ops_distance, ops_extend, ops_layer, ops_attractor_aniso, ops_structured, ops_view, ops_automatic;

@@ -20,11 +20,6 @@ int view_begin(FieldSet *f, const char *name)
   return (int)f->view.len - 1;
 }
 
-size_t views_count(const FieldSet *f)
-{
-  return f->view.len;
-}
-
 // ---- the list format ----------------------------------------------------------------------------------------------
 
 // Corners by the second letter: of what a plane mesher can use; 3D elements are known and skipped.

@@ -39,6 +39,9 @@ static inline int refine__key(double x, int shift, int nkeys)
   return k < (uint32_t)nkeys ? (int)k : nkeys - 1;
 }
 
+// Triangles of a face called large: its mesh is out of the caches, and the order of insertions minds that.
+#define REFINE_LARGE 2e5
+
 typedef struct {
   Tri *m;
   const TriRefineParams *p;
@@ -47,12 +50,13 @@ typedef struct {
   double *carried;  // by vertex: size carried from the boundary; NULL where only the callback counts
   uint32_t cap_v;   // entries of the two
   size_t max_vertices;
+  double expected;  // triangles, from refine__reserve
   uint64_t ticks;
 
   // For the optimization, by vertex.
   bool *fixed;      // not to move: given, on a segment, or isolated
   uint8_t *awake;   // its star is worth a visit
-  int16_t *excess;  // edges more than six; 0 on segments
+  int16_t *excess;  // edges more than six; 0 where fixed
   bool keep_sizes;  // a vertex that moves keeps its size: for trials, which the size field would make slow
   double floor;     // 1/kappa_4^2 that a triangle may rise to while its star gets better
   double worst;     // 1/kappa_4^2 of the worst triangle before the optimization
@@ -66,12 +70,13 @@ typedef struct {
 // ---- tri_refine.c
 // Sizes of the vertices of the empty mesh; arrays that refine__release frees.
 void refine__initial_sizes(Refiner *r);
-// Room for the triangles that these let expect, so that growing arrays need not be copied; only what is used of it costs memory.
+// Estimate the number of triangles from these, and make room for them, so that growing arrays need not be copied; only what is used of
+// it costs memory.
 void refine__reserve(Refiner *r);
 // Size wanted at p, which lies in (or near) triangle t; *carried gets the interpolated boundary size if that is in use.
 double refine__size_at(Refiner *r, const double *p, TriId t, double *carried);
-// Sizes of vertex v, new to the triangulation.
-void refine__set_size(Refiner *r, VertId v, double size, double carried);
+// The size of a vertex that refine__commit has not added, which `carried` is carried to.
+void refine__size_vertex(Refiner *r, VertId v, double carried);
 // What the size callback says in the middle of triangle t.
 double refine__size_inside(const Refiner *r, TriId t);
 // Triangle that holds p, walking from t. NONE if a segment is in the way, the half-edge *blocked.
@@ -87,7 +92,7 @@ bool refine__go_on(Refiner *r);
 // ---- strategies
 // The limit at which the efficiency index is highest.
 #define REFINE_LIMIT_SIZE 1.36
-// Refine triangles whose adimensional size, sqrt(3) R / h, is above the limit.
+// Refine triangles whose adimensional size, sqrt(3) R / h, is above the limit; those flagged as small are within it.
 void refine__delaunay(Refiner *r, double limit);
 // Square of the adimensional size of t over that of the limit; by the sizes at its corners and, where these say it is small, inside.
 double refine__excess2(const Refiner *r, double limit, TriId t);

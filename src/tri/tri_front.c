@@ -17,10 +17,14 @@ typedef struct {
 // Front edges wait in stacks by the size of their triangle, largest first: fronts then leave the finest places first, where a
 // dislocation costs least, and one front outruns the others where the size is uniform, so that one lattice fills the face.
 // The first layer along the segments goes before the rest, so that every boundary has triangles aligned with it.
-enum { NKEYS = 704, HEAD_START = 64 }; // 16 keys to the octave of the squared size
+// In large faces, triangles 16 times as large as they may be, and larger, are all alike: before the open middle of the face the latest edge
+// goes first, and rows are laid one beside the other. Largest first jumps between the places where the largest empty circle touches
+// the front, which are out of the caches then.
+enum { NKEYS = 704, ALIKE = 129, HEAD_START = 64 }; // 16 keys to the octave of the squared size
 
 typedef struct {
   Refiner *r;
+  int nkeys; // of edges that are not segments
   int top; // no stack above this one has entries
   DoubleVec excess; // of the triangles just made
   Vec(FrontEdge) stack[NKEYS];
@@ -51,7 +55,7 @@ static void push(Front *f, EdgeId e, double x)
 {
   const Tri *m = f->r->m;
   FrontEdge edge = {e, tri_org(m, e), tri_dest(m, e)};
-  int k = refine__key(x, 19, NKEYS - HEAD_START);
+  int k = refine__key(x, 19, f->nkeys);
   if (tri_is_segment(m, e)) k += HEAD_START;
   vec_push(&f->stack[k], edge);
   if (k > f->top) f->top = k;
@@ -132,7 +136,7 @@ static void start(Front *f)
 
 void refine__frontal(Refiner *r)
 {
-  Front f = {.r = r, .top = -1};
+  Front f = {.r = r, .nkeys = r->expected > REFINE_LARGE ? ALIKE : NKEYS - HEAD_START, .top = -1};
   start(&f);
   EdgeId e;
   while ((e = take(&f)) != NONE && refine__go_on(r)) {

@@ -81,4 +81,13 @@ static inline double metric_quality(const double *a, const double *b, const doub
   return s > 0 ? 4 * d * fabs(d) / s : 0;
 }
 
+// Is that at least `least` beyond doubt? No square root and no division: with s the sum of the squared lengths, l m n (l + m + n) is
+// at most s^2 / 3, with equality for equilateral triangles.
+static inline bool metric_is_surely(const double *a, const double *b, const double *c, double least)
+{
+  double x = b[0] - a[0], y = b[1] - a[1], u = c[0] - a[0], v = c[1] - a[1], w = c[0] - b[0], z = c[1] - b[1];
+  double d = x * v - y * u, s = (x * x + y * y) + (u * u + v * v) + (w * w + z * z);
+  return d > 0 && 12 * (1 - 1e-9) * (d * d) > least * (s * s);
+}
+
 #endif

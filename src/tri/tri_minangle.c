@@ -127,22 +127,14 @@ static double where_to_split(const MinAngle *q, VertId u, VertId v, double len)
   return au ? shell : 1 - shell;
 }
 
-// Sizes wanted at a place, if they are known yet.
-typedef struct {
-  double size, carried;
-} Wanted;
+// Are sizes of vertices to be told at the end, some of them carried from the boundary? Conformity is there before any.
+static bool wants_sizes(const MinAngle *q) { return q->r->size && q->r->p->sizes_out; }
+static bool carries_sizes(const MinAngle *q) { return wants_sizes(q) && q->r->carried; }
 
-static Wanted wanted_at(const MinAngle *q, const double *p, TriId t)
+static void added_vertex(MinAngle *q, VertId v, double lfs, double carried, VertId from, VertId to)
 {
-  Wanted w = {0, 0};
-  if (q->r->size) w.size = refine__size_at(q->r, p, t, &w.carried);
-  return w;
-}
-
-static void added_vertex(MinAngle *q, VertId v, Wanted w, double lfs, VertId from, VertId to)
-{
-  if (q->r->size) refine__set_size(q->r, v, w.size, w.carried);
   CHECK(v == q->lfs.len);
+  if (wants_sizes(q)) refine__size_vertex(q->r, v, carried);
   vec_push(&q->lfs, lfs);
   vec_push(&q->from, from), vec_push(&q->to, to);
 }
@@ -202,11 +194,9 @@ static bool split_segment(MinAngle *q, EdgeId e)
   VertId own[2];
   input_ends(q, u, v, own);
   double lfs = feature_at(q, (double[]){p.x, p.y}, own);
-  TriId beside = tri_of(e);
-  if (!tri_is_inside(m, beside)) beside = tri_of(m->twin[e]);
-  Wanted wanted = wanted_at(q, (double[]){p.x, p.y}, beside);
+  double carried = carries_sizes(q) ? (1 - at) * q->r->carried[u] + at * q->r->carried[v] : 0;
   VertId w = tri_commit(m, &q->c);
-  added_vertex(q, w, wanted, lfs, own[0], own[1]);
+  added_vertex(q, w, lfs, carried, own[0], own[1]);
   q->r->stats->split++;
   if (q->r->p->placed) q->r->p->placed(q->r->p->split_ctx, u, v, w);
   consider_new(q);
@@ -341,8 +331,8 @@ static bool improve(MinAngle *q, TriId t)
   if (yield_to_segments(q, p, &split)) return split > 0;
   double lfs = feature_at(q, p, NULL);
   if (too_near(q, p, lfs)) return false;
-  Wanted wanted = wanted_at(q, p, at);
-  added_vertex(q, tri_commit(m, &q->c), wanted, lfs, NONE, NONE);
+  double carried = carries_sizes(q) ? refine__linear(m, q->r->carried, at, p) : 0;
+  added_vertex(q, tri_commit(m, &q->c), lfs, carried, NONE, NONE);
   q->r->stats->inserted++;
   consider_new(q);
   return true;

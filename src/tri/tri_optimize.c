@@ -146,22 +146,51 @@ static bool try_flip(Refiner *r, EdgeId e, bool worst)
   return false;
 }
 
+// Half-edges first .. end-1, of triangles in the domain, that name an edge with an end awake. Without branches that depend on the mesh.
+static size_t edges_awake(const Refiner *r, EdgeId first, EdgeId end, EdgeId *list)
+{
+  const Tri *m = r->m;
+  size_t n = 0;
+  for (TriId t = tri_of(first); 3 * t < end; t++) {
+    if (m->flag[t] & (TRI_OUTSIDE_FLAG | TRI_FREE)) continue;
+    const uint32_t *v = m->vert + 3 * (size_t)t, *o = m->twin + 3 * (size_t)t;
+    unsigned a = r->awake[v[0]], b = r->awake[v[1]], c = r->awake[v[2]], inner = ~(unsigned)m->flag[t];
+    if (!(a | b | c)) continue;
+    EdgeId e = 3 * t;
+    list[n] = e, n += ((a | b) != 0) & (o[0] > e) & (e >= first) & inner;
+    list[n] = e + 1, n += ((b | c) != 0) & (o[1] > e + 1) & (e + 1 >= first) & inner >> 1;
+    list[n] = e + 2, n += ((c | a) != 0) & (o[2] > e + 2) & inner >> 2;
+  }
+  return n;
+}
+
+// Is edge e not locally Delaunay, and both triangles better when it is turned?
+static bool flip_is_good(Tri *m, EdgeId e)
+{
+  const double *a = tri_xy(m, tri_org(m, e)), *b = tri_xy(m, tri_dest(m, e));
+  const double *c = tri_xy(m, tri_apex(m, e)), *d = tri_xy(m, tri_apex(m, m->twin[e]));
+  if (LIKELY(incircle(a, b, c, d) <= 0)) return false;
+  double q = metric_quality(a, b, c), s = metric_quality(b, a, d), worse = q < s ? q : s;
+  if (metric_quality(c, d, b) <= worse + 1e-6 || metric_quality(d, c, a) <= worse + 1e-6) return false;
+  return tri_can_flip(m, e);
+}
+
 size_t refine__flips(Refiner *r)
 {
+  enum { BLOCK = 3 * 64 };
   Tri *m = r->m;
+  EdgeId list[BLOCK + 1], end = 3 * m->nt;
   size_t n = 0;
-  for (EdgeId e = 0; e < 3 * m->nt; e++) {
-    if (!flippable(m, e)) continue;
-    EdgeId o = m->twin[e];
-    if (!(r->awake[tri_org(m, e)] | r->awake[tri_dest(m, e)])) continue;
-    const double *a = tri_xy(m, tri_org(m, e)), *b = tri_xy(m, tri_dest(m, e));
-    const double *c = tri_xy(m, tri_apex(m, e)), *d = tri_xy(m, tri_apex(m, o));
-    if (incircle(a, b, c, d) <= 0) continue;
-    double q = metric_quality(a, b, c), s = metric_quality(b, a, d), worse = q < s ? q : s;
-    if (metric_quality(c, d, b) <= worse + 1e-6 || metric_quality(d, c, a) <= worse + 1e-6) continue;
-    if (!tri_can_flip(m, e)) continue;
-    refine__flip(r, e);
-    n++;
+  for (EdgeId e = 0, next; e < end; e = next) {
+    next = MIN(end, e - e % 3 + BLOCK);
+    size_t count = edges_awake(r, e, next, list);
+    for (size_t i = 0; i < count; i++) {
+      if (LIKELY(!flip_is_good(m, list[i]))) continue;
+      refine__flip(r, list[i]);
+      n++;
+      next = list[i] + 1; // the flip changed what the edges after it are
+      break;
+    }
   }
   r->stats->flips += n;
   return n;
@@ -171,12 +200,17 @@ static size_t repair_valences(Refiner *r)
 {
   Tri *m = r->m;
   size_t n = 0;
-  for (EdgeId e = 0; e < 3 * m->nt; e++) {
-    if (!flippable(m, e)) continue;
-    int a = r->excess[tri_org(m, e)], b = r->excess[tri_dest(m, e)];
-    if (a + b < 1) continue; // the apexes have at least -1 each but where a triangle is very bad
-    int c = r->excess[tri_apex(m, e)], d = r->excess[tri_apex(m, m->twin[e])];
-    if (a + b - c - d >= 3) n += try_flip(r, e, false);
+  for (TriId t = 0; t < m->nt; t++) {
+    if (m->flag[t] & (TRI_OUTSIDE_FLAG | TRI_FREE)) continue;
+    const uint32_t *v = m->vert + 3 * (size_t)t;
+    if (MAX(r->excess[v[0]], MAX(r->excess[v[1]], r->excess[v[2]])) < 1) continue;
+    for (EdgeId e = 3 * t; e < 3 * t + 3; e++) {
+      if (!flippable(m, e)) continue;
+      int a = r->excess[tri_org(m, e)], b = r->excess[tri_dest(m, e)];
+      if (a + b < 1) continue; // the apexes have at least -1 each but where a triangle is very bad
+      int c = r->excess[tri_apex(m, e)], d = r->excess[tri_apex(m, m->twin[e])];
+      if (a + b - c - d >= 3) n += try_flip(r, e, false);
+    }
   }
   return n;
 }
@@ -243,6 +277,7 @@ static size_t mend_worst(Refiner *r, double mended)
     if (!tri_is_inside(m, t)) continue;
     const uint32_t *v = m->vert + 3 * (size_t)t;
     if (r->fixed[v[0]] && r->fixed[v[1]] && r->fixed[v[2]]) continue;
+    if (metric_is_surely(tri_xy(m, v[0]), tri_xy(m, v[1]), tri_xy(m, v[2]), mended)) continue;
     Bad b = {quality_of(m, t), t, {v[0], v[1], v[2]}};
     if (b.quality < mended) vec_push(&bad, b);
   }
@@ -256,18 +291,6 @@ static size_t mend_worst(Refiner *r, double mended)
   return n;
 }
 
-// Edges at a vertex more than six; of vertices on segments, whose angles decide, nothing is known.
-static void count_excess(Refiner *r)
-{
-  const Tri *m = r->m;
-  r->excess = mem_alloc(r->cap_v * sizeof *r->excess);
-  for (VertId v = 0; v < m->nv; v++) r->excess[v] = -6;
-  for (EdgeId e = 0; e < 3 * m->nt; e++)
-    if (tri_is_inside(m, tri_of(e)) && r->excess[m->vert[e]] < 10000) r->excess[m->vert[e]]++;
-  for (VertId v = 0; v < m->nv; v++)
-    if (r->fixed[v]) r->excess[v] = 0;
-}
-
 void refine__prepare(Refiner *r, VertId given)
 {
   Tri *m = r->m;
@@ -275,22 +298,28 @@ void refine__prepare(Refiner *r, VertId given)
   free(r->fixed), free(r->awake), free(r->excess);
   r->fixed = mem_zalloc(r->cap_v * sizeof *r->fixed);
   r->awake = mem_zalloc(r->cap_v * sizeof *r->awake);
+  r->excess = mem_alloc(r->cap_v * sizeof *r->excess);
+  for (VertId v = 0; v < m->nv; v++) r->excess[v] = -6;
   double worst = 1;
   for (TriId t = 0; t < m->nt; t++) {
     if (!tri_is_inside(m, t)) continue;
     const uint32_t *v = m->vert + 3 * (size_t)t;
-    double q = metric_quality(tri_xy(m, v[0]), tri_xy(m, v[1]), tri_xy(m, v[2]));
+    const double *a = tri_xy(m, v[0]), *b = tri_xy(m, v[1]), *c = tri_xy(m, v[2]);
+    double q = metric_is_surely(a, b, c, MAX(worst, 1 / GOOD)) ? 1 : metric_quality(a, b, c);
     if (q * GOOD < 1) r->awake[v[0]] = r->awake[v[1]] = r->awake[v[2]] = 1;
     if (q < worst) worst = q;
-    for (EdgeId e = 3 * t; e < 3 * t + 3; e++)
+    for (EdgeId e = 3 * t; e < 3 * t + 3; e++) {
+      if (r->excess[m->vert[e]] < 10000) r->excess[m->vert[e]]++;
       if (tri_is_segment(m, e)) r->fixed[tri_org(m, e)] = r->fixed[tri_dest(m, e)] = true;
+    }
   }
-  for (VertId v = 0; v < m->nv; v++)
+  for (VertId v = 0; v < m->nv; v++) {
     if (v < given || m->hint[v] == NONE) r->fixed[v] = true;
+    if (r->fixed[v]) r->excess[v] = 0;
+  }
   // A triangle may get worse while its star gets better, down to 0.9, but none below the worst of all.
   r->floor = worst < 0.9 ? 1 / 0.9 : 1 / worst;
   r->worst = 1 / worst;
-  count_excess(r);
 }
 
 void refine__optimize(Refiner *r, int level)

@@ -66,17 +66,11 @@ static void sizes_for_vertices(Refiner *r)
   if (r->carried) r->carried = mem_realloc(r->carried, (size_t)r->cap_v * sizeof *r->carried);
 }
 
-void refine__set_size(Refiner *r, VertId v, double size, double carried)
-{
-  sizes_for_vertices(r);
-  r->size[v] = size;
-  if (r->carried) r->carried[v] = carried;
-}
-
 void refine__reserve(Refiner *r)
 {
   enum { WORTH = 1 << 14 };
-  double n = 1.05 * fmin(expected_triangles(r), 2 * (double)r->max_vertices);
+  r->expected = expected_triangles(r);
+  double n = 1.05 * fmin(r->expected, 2 * (double)r->max_vertices);
   if (!(n > WORTH && n < UINT32_MAX / 4)) return;
   tri_reserve(r->m, r->m->nv + (size_t)n / 2, r->m->nt + (size_t)n);
   sizes_for_vertices(r);
@@ -106,6 +100,13 @@ double refine__size_at(Refiner *r, const double *p, TriId t, double *carried)
   if (r->carried) *carried = h = refine__linear(r->m, r->carried, t, p);
   if (r->p->size) h = fmin(h, ask_size(r, p));
   return h;
+}
+
+void refine__size_vertex(Refiner *r, VertId v, double carried)
+{
+  sizes_for_vertices(r);
+  if (r->carried) r->carried[v] = carried;
+  r->size[v] = fmin(r->carried ? carried : INFINITY, r->p->size ? ask_size(r, tri_xy(r->m, v)) : INFINITY);
 }
 
 double refine__size_inside(const Refiner *r, TriId t)
@@ -141,35 +142,61 @@ TriId refine__walk(const Tri *m, const double *p, TriId t, EdgeId *blocked)
   }
 }
 
-// Is p inside the circle of the triangle of half-edge o?
-static inline bool in_conflict(Tri *m, EdgeId o, const double *p)
+// Is p inside the circle of triangle t?
+static inline bool in_conflict(Tri *m, TriId t, const double *p)
 {
-  const uint32_t *v = m->vert + 3 * (size_t)(o / 3);
+  const uint32_t *v = m->vert + 3 * (size_t)t;
   return incircle_perturbed(tri_xy(m, v[0]), tri_xy(m, v[1]), tri_xy(m, v[2]), p, &m->count) > 0;
+}
+
+static bool is_corner(const Tri *m, TriId t, const double *p)
+{
+  for (EdgeId e = 3 * t; e < 3 * t + 3; e++) {
+    const double *a = tri_xy(m, m->vert[e]);
+    if (a[0] == p[0] && a[1] == p[1]) return true;
+  }
+  return false;
+}
+
+// Half-edge o waits outside the cavity. Its triangle is asked for now, to be there when its turn comes.
+static inline void put_off(Refiner *r, EdgeId o)
+{
+  __builtin_prefetch(&r->m->vert[o]);
+  vec_push(&r->stack, o);
+}
+
+// Is the segment under o, which bounds the cavity, in the way: p on it, or too near?
+static bool segment_in_way(const Tri *m, EdgeId o, const double *p, bool clear)
+{
+  const double *a = tri_xy(m, tri_dest(m, o)), *b = tri_xy(m, m->vert[o]);
+  if (orient2d(a, b, p) <= 0) return true;
+  return clear && (a[0] - p[0]) * (b[0] - p[0]) + (a[1] - p[1]) * (b[1] - p[1]) < 0;
 }
 
 bool refine__cavity(Refiner *r, const double *p, TriId t, bool clear)
 {
   Tri *m = r->m;
+  if (is_corner(m, t, p)) return false;
   r->at[0] = p[0], r->at[1] = p[1];
   vec_clear(&r->rim), vec_clear(&r->dead), vec_clear(&r->stack);
   vec_push(&r->dead, t);
-  vec_push(&r->stack, 3 * t + 2), vec_push(&r->stack, 3 * t + 1), vec_push(&r->stack, 3 * t);
+  for (int i = 2; i >= 0; i--) put_off(r, m->twin[3 * t + i]);
   // The triangles of the cavity form a tree, since no vertex is inside: walking it depth first, counterclockwise about each
-  // triangle, gives the sides in order.
+  // triangle, gives the sides in order. p sees them all: where it lies in the circle of a triangle, and beyond one edge of it, it is
+  // on the inner side of the other two, as the three caps of the circle have only corners in common.
   while (r->stack.len) {
-    EdgeId e = vec_pop(&r->stack), o = m->twin[e];
-    bool seg = tri_is_segment(m, e);
-    if (!seg && in_conflict(m, o, p)) {
-      vec_push(&r->dead, tri_of(o));
-      vec_push(&r->stack, tri_prev(o));
-      vec_push(&r->stack, tri_next(o));
+    EdgeId o = vec_pop(&r->stack);
+    TriId over = tri_of(o);
+    bool seg = m->flag[over] >> (o - 3 * over) & 1;
+    if (!seg && in_conflict(m, over, p)) {
+      vec_push(&r->dead, over);
+      put_off(r, m->twin[tri_prev(o)]);
+      put_off(r, m->twin[tri_next(o)]);
       continue;
     }
-    const double *a = tri_xy(m, m->vert[e]), *b = tri_xy(m, tri_dest(m, e));
-    if (UNLIKELY(orient2d(a, b, p) <= 0)) return false;
-    if (seg && clear && (a[0] - p[0]) * (b[0] - p[0]) + (a[1] - p[1]) * (b[1] - p[1]) < 0) return false;
-    RimSide side = {.a = m->vert[e], .outer = o, .seg = seg ? m->seg[e] : NONE, .is_seg = seg};
+    if (UNLIKELY(seg) && segment_in_way(m, o, p, clear)) return false;
+    RimSide side = {.a = tri_dest(m, o), .outer = o, .seg = seg ? m->seg[o] : NONE, .is_seg = seg};
+    DCHECK(orient2d(tri_xy(m, side.a), tri_xy(m, m->vert[o]), p) > 0);
     vec_push(&r->rim, side);
   }
   return true;

@@ -4,97 +4,156 @@
 #include "geom/hilbert.h"
 #include "tri/refine_int.h"
 
-// Entries first .. end-1 of *x become those of order[first .. end-1], in memory of cap entries that takes the place of *x.
-static void permute_doubles(double **x, const uint32_t *order, VertId first, VertId end, size_t cap, size_t width)
+// Memory that arrays pass through. Fresh pages are dear: half-edges change places with it, the rest is copied there and back.
+typedef struct {
+  void *block;
+  size_t bytes;
+} Spare;
+
+static void *spare_block(Spare *s, size_t bytes)
 {
-  double *to = mem_alloc_large(cap * width * sizeof *to), *from = *x;
-  memcpy(to, from, width * first * sizeof *to);
+  if (s->bytes < bytes) {
+    free(s->block);
+    s->block = mem_alloc_large(bytes);
+    s->bytes = bytes;
+  }
+  return s->block;
+}
+
+// Entries first .. end-1 of x become those of order[0 .. end-first); it has n.
+static void permute_doubles(double *x, size_t n, Spare *spare, const uint32_t *order, VertId first, VertId end, size_t width)
+{
+  const double *from = memcpy(spare_block(spare, n * width * sizeof *x), x, n * width * sizeof *x);
   for (VertId k = first; k < end; k++)
-    for (size_t i = 0; i < width; i++) to[width * k + i] = from[width * order[k] + i];
-  *x = to;
-  free(from);
+    for (size_t i = 0; i < width; i++) x[width * k + i] = from[width * order[k - first] + i];
 }
 
 // place[t]: where triangle t goes: by the least rank of its vertices, triangles of equal rank as they stand; what is not
-// inside goes last.
-static uint32_t *place_triangles(const Tri *m, const uint32_t *rank)
+// inside goes last. start: scratch of nv + 2 entries.
+static void place_triangles(const Tri *m, const uint32_t *rank, uint32_t *start, uint32_t *place)
 {
-  uint32_t *key = mem_alloc(m->nt * sizeof *key), *start = mem_zalloc(((size_t)m->nv + 2) * sizeof *start);
+  memset(start, 0, ((size_t)m->nv + 2) * sizeof *start);
   for (TriId t = 0; t < m->nt; t++) {
     const uint32_t *v = m->vert + 3 * (size_t)t;
-    key[t] = tri_is_inside(m, t) ? MIN(rank[v[0]], MIN(rank[v[1]], rank[v[2]])) : m->nv;
-    start[key[t] + 1]++;
+    place[t] = tri_is_inside(m, t) ? MIN(rank[v[0]], MIN(rank[v[1]], rank[v[2]])) : m->nv;
+    start[place[t] + 1]++;
   }
   for (VertId k = 0; k <= m->nv; k++) start[k + 1] += start[k];
-  for (TriId t = 0; t < m->nt; t++) key[t] = start[key[t]]++;
-  free(start);
-  return key;
+  for (TriId t = 0; t < m->nt; t++) place[t] = start[place[t]]++;
 }
 
-// Half-edges of *x go with their triangles to *spare, which changes places with it.
-static void permute_edges(uint32_t **x, uint32_t **spare, const uint32_t *place, TriId nt)
+// Vertices get the numbers of rank.
+static void move_corners(Tri *m, Spare *spare, const uint32_t *place, const uint32_t *rank)
 {
-  uint32_t *from = *x, *to = *spare;
-  for (TriId t = 0; t < nt; t++) memcpy(to + 3 * (size_t)place[t], from + 3 * (size_t)t, 3 * sizeof *to);
-  *x = to, *spare = from;
+  uint32_t *to = spare_block(spare, 3 * (size_t)m->cap_t * sizeof *to), *from = m->vert;
+  for (TriId t = 0; t < m->nt; t++)
+    for (size_t i = 0; i < 3; i++) {
+      VertId v = from[3 * (size_t)t + i];
+      to[3 * (size_t)place[t] + i] = v < TRI_MAX_VERTICES ? rank[v] : v;
+    }
+  m->vert = to;
+  *spare = (Spare){from, 3 * (size_t)m->cap_t * sizeof *from};
+}
+
+static void move_twins(Tri *m, Spare *spare, const uint32_t *place)
+{
+  uint32_t *to = spare_block(spare, 3 * (size_t)m->cap_t * sizeof *to), *from = m->twin;
+  for (TriId t = 0; t < m->nt; t++) {
+    bool used = !tri_is_free(m, t);
+    for (size_t i = 0; i < 3; i++) {
+      EdgeId o = from[3 * (size_t)t + i];
+      to[3 * (size_t)place[t] + i] = used && o != NONE ? 3 * place[tri_of(o)] + o % 3 : o;
+    }
+  }
+  m->twin = to;
+  *spare = (Spare){from, 3 * (size_t)m->cap_t * sizeof *from};
+}
+
+// Few edges are segments: pairs of their half-edges and ids.
+static void take_segments(const Tri *m, U32Vec *list)
+{
+  for (TriId t = 0; t < m->nt; t++)
+    for (EdgeId e = 3 * t; !tri_is_free(m, t) && e < 3 * t + 3; e++)
+      if (tri_is_segment(m, e)) vec_push(list, e), vec_push(list, m->seg[e]);
+}
+
+static void put_segments(Tri *m, const U32Vec *list, const uint32_t *place)
+{
+  for (size_t i = 0; i < list->len; i += 2) {
+    EdgeId e = list->data[i];
+    m->seg[3 * place[tri_of(e)] + e % 3] = list->data[i + 1];
+  }
 }
 
 // Triangle t goes to place[t], vertex v gets the number rank[v].
-static void move_triangles(Tri *m, const uint32_t *place, const uint32_t *rank)
+static void move_triangles(Tri *m, Spare *spare, const uint32_t *place, const uint32_t *rank)
 {
-  for (TriId t = 0; t < m->nt; t++) {
-    if (tri_is_free(m, t)) continue;
-    for (EdgeId e = 3 * t; e < 3 * t + 3; e++) {
-      TriId over = tri_of(m->twin[e]);
-      if (m->twin[e] != NONE) m->twin[e] = 3 * place[over] + (m->twin[e] - 3 * over);
-      if (m->vert[e] < TRI_MAX_VERTICES) m->vert[e] = rank[m->vert[e]];
-    }
-  }
-  uint32_t *spare = mem_alloc_large(3 * (size_t)m->cap_t * sizeof *spare);
-  permute_edges(&m->vert, &spare, place, m->nt);
-  permute_edges(&m->twin, &spare, place, m->nt);
-  if (m->seg) permute_edges(&m->seg, &spare, place, m->nt);
+  move_corners(m, spare, place, rank);
+  move_twins(m, spare, place);
+  uint32_t *copy = spare_block(spare, m->nt * sizeof *copy);
   if (m->region) {
-    memcpy(spare, m->region, m->nt * sizeof *spare);
-    for (TriId t = 0; t < m->nt; t++) m->region[place[t]] = spare[t];
+    memcpy(copy, m->region, m->nt * sizeof *copy);
+    for (TriId t = 0; t < m->nt; t++) m->region[place[t]] = copy[t];
   }
-  uint8_t *flag = memcpy(spare, m->flag, m->nt);
+  uint8_t *flag = memcpy(copy, m->flag, m->nt);
   for (TriId t = 0; t < m->nt; t++) m->flag[place[t]] = flag[t];
-  free(spare);
   // The free list, in the order of the slots.
   m->free_list = NONE, m->nfree = 0;
   for (TriId t = m->nt; t-- > 0;)
     if (tri_is_free(m, t)) m->twin[3 * (size_t)t] = m->free_list, m->free_list = t, m->nfree++;
 }
 
-void refine__renumber(Refiner *r, VertId first)
+// Numbers for the vertices from `first` on: along the curve, those in use. order[k - first]: which becomes k; it may be the same array as
+// curve. Returns the number of vertices then.
+static VertId number_vertices(const Refiner *r, VertId first, const uint32_t *curve, uint32_t *order, uint32_t *rank)
 {
-  Tri *m = r->m;
-  if (m->nv == first) return;
-  uint32_t *curve = mem_alloc(m->nv * sizeof *curve), *rank = mem_alloc(m->nv * sizeof *rank);
-  hilbert_order(m->xy, m->nv, curve);
-  for (VertId k = 0; k < m->nv; k++) rank[curve[k]] = k;
-  uint32_t *place = place_triangles(m, rank);
-  // The first vertices keep their numbers; the others follow along the curve, those in use.
-  uint32_t *order = mem_alloc(m->nv * sizeof *order);
-  memset(rank, 0, m->nv * sizeof *rank);
-  for (EdgeId e = 0; e < 3 * m->nt; e++)
-    if (m->vert[e] < TRI_MAX_VERTICES && !tri_is_free(m, tri_of(e))) rank[m->vert[e]] = 1;
+  const Tri *m = r->m;
+  bool all = r->stats->collapses == 0; // what else leaves isolated vertices was there before
+  if (!all) {
+    memset(rank, 0, m->nv * sizeof *rank);
+    for (EdgeId e = 0; e < 3 * m->nt; e++)
+      if (m->vert[e] < TRI_MAX_VERTICES && !tri_is_free(m, tri_of(e))) rank[m->vert[e]] = 1;
+  }
   VertId next = first;
   for (VertId k = 0; k < m->nv; k++) {
     VertId v = curve[k];
     if (v < first) rank[v] = v;
-    else if (rank[v]) order[next] = v, rank[v] = next++;
+    else if (all || rank[v]) order[next - first] = v, rank[v] = next++;
   }
-  move_triangles(m, place, rank);
-  free(place);
-  permute_doubles(&m->xy, order, first, next, m->cap_v, 2);
-  permute_doubles(&r->size, order, first, next, r->cap_v, 1);
-  if (r->carried) permute_doubles(&r->carried, order, first, next, r->cap_v, 1);
+  return next;
+}
+
+void refine__renumber(Refiner *r, VertId first)
+{
+  Tri *m = r->m;
+  if (m->nv == first) return;
+  size_t n = m->nv;
+  U32Vec segments = {0};
+  Spare spare = {0};
+  if (m->seg) { // its memory will do until the end
+    take_segments(m, &segments);
+    spare = (Spare){m->seg, 3 * (size_t)m->cap_t * sizeof *m->seg};
+  }
+  uint32_t *curve = mem_alloc(n * sizeof *curve), *rank = mem_alloc(n * sizeof *rank);
+  uint32_t *place = mem_alloc(m->nt * sizeof *place);
+  hilbert_sort(m->xy, n, curve, NULL, spare_block(&spare, 2 * n * sizeof(uint64_t)), 1);
+  for (VertId k = 0; k < n; k++) rank[curve[k]] = k;
+  place_triangles(m, rank, spare_block(&spare, (n + 2) * sizeof *place), place);
+  VertId next = number_vertices(r, first, curve, curve, rank);
+  move_triangles(m, &spare, place, rank);
+  permute_doubles(m->xy, n, &spare, curve, first, next, 2);
+  permute_doubles(r->size, n, &spare, curve, first, next, 1);
+  if (r->carried) permute_doubles(r->carried, n, &spare, curve, first, next, 1);
+  if (m->seg) {
+    m->seg = spare_block(&spare, 3 * (size_t)m->cap_t * sizeof *m->seg);
+    put_segments(m, &segments, place);
+    spare.block = NULL;
+  }
   m->nv = next;
   free(m->hint);
   m->hint = NULL;
-  free(curve), free(rank), free(order);
+  vec_free(&segments);
+  free(curve), free(rank), free(place), free(spare.block);
 }
 
 void refine__drop_isolated(Refiner *r, VertId first)

@@ -188,6 +188,7 @@ void refine__rework(Refiner *r, double least, size_t most, int rounds)
     for (TriId t = 0; t < m->nt; t++) {
       if (!tri_is_inside(m, t)) continue;
       const uint32_t *v = m->vert + 3 * (size_t)t;
+      if (metric_is_surely(tri_xy(m, v[0]), tri_xy(m, v[1]), tri_xy(m, v[2]), least)) continue;
       Bad b = {metric_quality(tri_xy(m, v[0]), tri_xy(m, v[1]), tri_xy(m, v[2])), t};
       if (b.quality < least) vec_push(&bad, b);
     }

@@ -15,15 +15,6 @@ bench-mesh: $(B)/bench/bench_refine meshgen
 bench-structured: meshgen
 	bash tests/bench/structured.sh ./meshgen
 
-.PHONY: docs-pictures
-## docs-pictures: the pictures of docs/examples.md anew, by its own commands
-docs-pictures: meshgen
-	rm -rf $(B)/pictures && mkdir -p $(B)/pictures/bin && ln -s $(CURDIR)/geo $(B)/pictures/geo
-	ln -s $(CURDIR)/$(PROGRAM) $(B)/pictures/bin/meshgen
-	awk '/^```sh$$/ { on = 1; next } /^```/ { on = 0 } on' docs/examples.md >$(B)/pictures/block.sh
-	cd $(B)/pictures && PATH=$$PWD/bin:$$PATH sh -eu block.sh
-	cp $(B)/pictures/*.png docs/pictures
-
 .PHONY: docs-quality
 ## docs-quality: docs/quality.md anew: triangles of every face of geo/, ours and gmsh's
 docs-quality: meshgen

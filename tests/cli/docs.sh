@@ -21,6 +21,8 @@ complete=$(bash -c 'source <("$0" -completion bash); COMP_WORDS=(meshgen -clsc);
 complete=$(HOME=$work fish -c 'source meshgen.fish; complete -C "meshgen -clsc"' 2>&1)
 [ "$complete" = -clscale ] && ok "fish completes" || not_ok "fish completes" "$complete"
 
+check "comments and documents name what is there" "$PYTHON" "$ROOT/tests/check_comments.py"
+
 # run every block marked ```sh of a document, in a folder of its own with the models at hand
 mkdir bin && ln -s "$MESHGEN" bin/meshgen
 PATH=$work/bin:$PATH

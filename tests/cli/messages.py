@@ -304,7 +304,7 @@ SCRIPTS = [
     (0, "where boundary edges may not be split any more, the first at", "h=1; Point(1)={0,0,0,h}; Point(2)={1,0,0,h}; Point(3)={1,.01,0,h};"
      "Point(4)={0,.01,0,h}; Line(1)={1,2}; Line(2)={2,3}; Line(3)={3,4}; Line(4)={4,1}; Curve Loop(1)={1:4}; Plane Surface(1)={1};"
      "Transfinite Curve{1,3}=2;", ["-min_angle", "25"]),
-    (1, "nodes that coincide with others, the first at (0, 0, 0)", SQUARE + "Point(9)={0,0,0,h}; Point{9} In Surface{1};", []),
+    (1, "1 node that coincides with others, the first at (0, 0, 0): of point 1 and of point 9", SQUARE + "Point(9)={0,0,0,h}; Point{9} In Surface{1};", []),
     (1, "passes through a node that is not its own at (0.1, 0, 0)", SQUARE + "Point(9)={.1,0,0,h}; Point{9} In Surface{1};"
      "Transfinite Curve{1}=5;", []),
     (0, "nothing is left of surface 1, others lie on all of it: it goes", SQUARE + "Point(11)={-1,-1,0,h}; Point(12)={2,-1,0,h}; Point(13)={2,2,0,h};"

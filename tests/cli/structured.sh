@@ -166,6 +166,16 @@ mesh "$strips Physical Curve(7)={9};" -save_all
 check "stays" awk '/^\$Elements/ { on = 1 } on && $2 == 1 && $5 == 9 { n++ } END { exit !(n > 4) }' a.msh
 check "as edges of the mesh" "$MESHGEN" check a.msh
 
+name="a face that is turned the other way"
+turned=$(echo "$strips" | sed 's/Line Loop(2)={2,10,6,-9}/Line Loop(2)={9,-6,-10,-2}/')
+mesh "$turned"
+check "goes with the others" awk 'NR == 1 { for (i = 2; i <= NF; i++) if ($i ~ /^triangles/) exit !($(i - 1) < 330) }' out.txt
+check "as the first is turned" "$MESHGEN" check a.msh
+check "with the area of all" area 2
+mesh "$turned Physical Curve(7)={9};" -save_all
+check "and a curve in a group stays" awk '/^\$Elements/ { on = 1 } on && $2 == 1 && $5 == 9 { n++ } END { exit !(n > 4) }' a.msh
+check "as edges of the mesh too" "$MESHGEN" check a.msh
+
 # ---- compound curves ----
 wall='Point(1)={0,0,0,.3};Point(2)={.55,0,0,.3};Point(3)={1,.1,0,.3};Point(4)={1.7,0,0,.3};Point(5)={2,0,0,.3};Point(6)={2,1,0,.3};
 Point(7)={0,1,0,.3};Line(1)={1,2};Spline(2)={4,3,2};Line(3)={4,5};Line(4)={5,6};Line(5)={6,7};Line(6)={7,1};

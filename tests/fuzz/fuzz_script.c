@@ -1,8 +1,7 @@
 // fuzz_script.c - any bytes are a script: no crash, no hang, no writing, bounded memory
 // SPDX-License-Identifier: MIT
 //
-// With clang: CONFIG=fuzz and -fsanitize=fuzzer. Without, fuzz_main.c runs it over files and over mutations
-// of them.
+// With clang: CONFIG=fuzz and -fsanitize=fuzzer. Without, tests/unit/test_script_fuzz.c runs it over mutations of scripts.
 #include "base/base.h"
 
 #include "model/model_edit.h"

@@ -264,6 +264,29 @@ static void warnings_are_kept_up_to_a_number_and_all_counted(void **state)
   diag_free(d);
 }
 
+static void warnings_alike_at_one_place_are_said_together(void **state)
+{
+  (void)state;
+  Diag *d = diag_new(false);
+  SrcLoc here = {1, 7, 3}, there = {1, 8, 3};
+  for (int i = 0; i < DIAG_MAX_ALIKE + 2; i++) {
+    diag_warning(d, here, "no curve %d", i);
+    diag_note(d, here, "its note");
+  }
+  for (int i = 0; i < DIAG_MAX_ALIKE; i++) diag_warning(d, there, "no curve %d", i);
+  diag_warning(d, here, "another thing");
+  assert_int_equal(diag_warnings(d), 2 * DIAG_MAX_ALIKE + 3);
+  assert_int_equal(diag_count(d), 3 * DIAG_MAX_ALIKE + 1);
+  diag_flush(d);
+  assert_int_equal(diag_count(d), 3 * DIAG_MAX_ALIKE + 2);
+  assert_string_equal(diag_get(d, diag_count(d) - 1)->text, "2 more warnings like those here; the first: no curve 3");
+  diag_flush(d); // once
+  assert_int_equal(diag_count(d), 3 * DIAG_MAX_ALIKE + 2);
+  diag_warning(d, here, "no curve %d", 1); // and from the start again
+  assert_int_equal(diag_count(d), 3 * DIAG_MAX_ALIKE + 3);
+  diag_free(d);
+}
+
 static void json_is_well_formed(void **state)
 {
   (void)state;
@@ -314,6 +337,7 @@ int main(void)
       cmocka_unit_test(nearest_names_are_suggested),
       cmocka_unit_test(diagnostics_are_counted_and_merged_in_order),
       cmocka_unit_test(warnings_are_kept_up_to_a_number_and_all_counted),
+      cmocka_unit_test(warnings_alike_at_one_place_are_said_together),
       cmocka_unit_test(json_is_well_formed),
       cmocka_unit_test(parallel_loop_visits_each_item_once),
   };

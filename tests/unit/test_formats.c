@@ -296,7 +296,7 @@ static void dialects(void **state)
   assert_int_equal(m->ngroup, 2);
   mesh_free(m);
   m = read_text("vtk", "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 4 double\n0 0 0 1 0 0 1 1 0 0 1 0\nPOLYGONS 1 5\n4 0 1 2 3\n");
-  assert_int_equal(mesh_count_type(m, ELEM_QUAD4), 1);
+  assert_int_equal(mesh_count_corners(m, 4), 1);
   mesh_free(m);
   m = read_text("vtu", "<?xml version='1.0'?><VTKFile type='UnstructuredGrid' byte_order='LittleEndian'><UnstructuredGrid>"
                        "<Piece NumberOfPoints='3' NumberOfCells='1'><Points><DataArray type='Float32' NumberOfComponents='3' format='ascii'>"

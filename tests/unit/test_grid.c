@@ -94,18 +94,18 @@ static void cells_cover_the_square_in_every_arrangement(void **state)
   }
   for (int how = ARRANGE_LEFT; how <= ARRANGE_ALTERNATE_LEFT; how++) {
     int negative = 0;
-    assert_int_equal(grid_triangles(NU, NV, id, (TransfiniteArrangement)how, false, false, tri), 2 * NU * NV);
+    assert_int_equal(grid_triangles(&(GridCells){NU, NV, id, (TransfiniteArrangement)how, false, false}, tri), 2 * NU * NV);
     assert_true(fabs(area_of(tri, 2 * NU * NV, p, &negative) - NU * NV) < 1e-12);
     assert_int_equal(negative, 0);
-    grid_triangles(NU, NV, id, (TransfiniteArrangement)how, false, true, tri);
+    grid_triangles(&(GridCells){NU, NV, id, (TransfiniteArrangement)how, false, true}, tri);
     assert_true(fabs(area_of(tri, 2 * NU * NV, p, &negative) + NU * NV) < 1e-12);
     assert_int_equal(negative, 2 * NU * NV);
   }
   // Left: the diagonal joins the second and the fourth corner of the cell.
-  grid_triangles(NU, NV, id, ARRANGE_LEFT, false, false, tri);
+  grid_triangles(&(GridCells){NU, NV, id, ARRANGE_LEFT, false, false}, tri);
   const uint32_t left[6] = {0, NV + 1, 1, 1, NV + 1, NV + 2};
   assert_memory_equal(tri, left, sizeof left);
-  grid_triangles(NU, NV, id, ARRANGE_RIGHT, false, false, tri);
+  grid_triangles(&(GridCells){NU, NV, id, ARRANGE_RIGHT, false, false}, tri);
   const uint32_t right[6] = {0, NV + 1, NV + 2, NV + 2, 1, 0};
   assert_memory_equal(tri, right, sizeof right);
 }
@@ -115,10 +115,10 @@ static void three_corners_make_a_fan(void **state)
   (void)state;
   uint32_t id[(NU + 1) * (NV + 1)], tri[6 * NU * NV], quad[4 * NU * NV];
   for (uint32_t k = 0; k < ARRAY_LEN(id); k++) id[k] = k <= NV ? 0 : k;
-  assert_int_equal(grid_triangles(NU, NV, id, ARRANGE_LEFT, true, false, tri), NV + 2 * (NU - 1) * NV);
+  assert_int_equal(grid_triangles(&(GridCells){NU, NV, id, ARRANGE_LEFT, true, false}, tri), NV + 2 * (NU - 1) * NV);
   for (int j = 0; j < NV; j++) assert_int_equal(tri[3 * j], 0);
   size_t ntri;
-  assert_int_equal(grid_quads(NU, NV, id, true, false, tri, &ntri, quad), (NU - 1) * NV);
+  assert_int_equal(grid_quads(&(GridCells){NU, NV, id, .fan = true}, tri, &ntri, quad), (NU - 1) * NV);
   assert_int_equal(ntri, NV);
   assert_int_equal(grid_triangle_cells(4, id, false, tri), 16);
 }

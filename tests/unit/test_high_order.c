@@ -136,16 +136,16 @@ static void subdivisions_have_the_counts_they_should(void **state)
   Mesh *m = disc_mesh(model, 2); // 12 triangles, 13 nodes, 24 edges
   double area = area_of(m);
   Mesh *quads = mesh_subdivide(m, SUBDIVIDE_QUADS, NULL, NULL);
-  assert_int_equal(mesh_count_type(quads, ELEM_QUAD4), 36);
-  assert_int_equal(mesh_count_type(quads, ELEM_TRI3), 0);
+  assert_int_equal(mesh_count_corners(quads, 4), 36);
+  assert_int_equal(mesh_count_corners(quads, 3), 0);
   assert_int_equal(quads->nnode, 13 + 24 + 12);
   assert_int_equal(mesh_count(quads, 1), 24);
   assert_true(fabs(area_of(quads) - area) < 1e-14);
   Mesh *again = mesh_subdivide(quads, SUBDIVIDE_HALVE, NULL, NULL);
-  assert_int_equal(mesh_count_type(again, ELEM_QUAD4), 144);
+  assert_int_equal(mesh_count_corners(again, 4), 144);
   assert_true(fabs(area_of(again) - area) < 1e-13);
   Mesh *bary = mesh_subdivide(m, SUBDIVIDE_BARYCENTRIC, model, NULL);
-  assert_int_equal(mesh_count_type(bary, ELEM_TRI3), 36);
+  assert_int_equal(mesh_count_corners(bary, 3), 36);
   assert_int_equal(mesh_count(bary, 1), 12);
   assert_int_equal(bary->nnode, 25);
   assert_true(fabs(area_of(bary) - area) < 1e-14);

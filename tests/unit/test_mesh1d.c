@@ -6,7 +6,7 @@
 
 #include "base/rng.h"
 #include "geom/quadrature.h"
-#include "mesh/mesh1d.h"
+#include "mesh/mesh1d_int.h"
 #include "model/model_edit.h"
 
 #define NEAR(a, b, tol) \
@@ -504,7 +504,7 @@ static void close_circles_are_untangled(void **state)
   assert_true(run(&t));
   assert_true(t.g->rounds >= 1 && t.g->nsplit >= 1);
   uint32_t rounds = t.g->rounds;
-  assert_true(mesh1d_untangle(t.g, &t.o, t.diag));
+  assert_true(mesh1d__untangle(t.g, &t.o, NULL, t.diag));
   assert_int_equal(t.g->rounds, rounds);
   // All nodes are on their circles.
   for (int i = 11; i <= 14; i++) {

@@ -447,6 +447,15 @@ static bool at_sharp_angle(const Domain *d, const Vec2 *t)
   return false;
 }
 
+// Sizes at all vertices, those carried into the domain between the least and the largest at the `given` ones.
+static void check_carried(const double *size, VertId given, VertId all)
+{
+  double least = INFINITY, most = 0;
+  for (VertId v = 0; v < given; v++) least = fmin(least, size[v]), most = fmax(most, size[v]);
+  for (VertId v = given; v < all; v++)
+    if (!(size[v] >= (1 - 1e-9) * least && size[v] <= (1 + 1e-9) * most)) fail_msg("size %g outside [%g, %g]", size[v], least, most);
+}
+
 static void test_angles_are_guaranteed(void **state)
 {
   (void)state;
@@ -458,8 +467,12 @@ static void test_angles_are_guaranteed(void **state)
     empty_mesh(&d, &m);
     double area = area_inside(&m);
     TriRefineParams p = tri_refine_defaults();
-    p.algorithm = REFINE_EMPTY, p.min_angle = k % 2 ? 30 : 25;
+    double *size = NULL;
+    p.algorithm = REFINE_EMPTY, p.min_angle = k % 2 ? 30 : 25, p.sizes_out = &size;
+    VertId given = m.nv;
     TriRefineStats s = tri_refine(&m, &p);
+    check_carried(size, given, m.nv);
+    free(size);
     assert_int_equal(s.outcome, REFINE_DONE);
     assert_int_equal(tri_check(&m, TRI_CHECK_ALL, NULL), 0);
     assert_true(fabs(area_inside(&m) - area) <= 1e-9 * area);
@@ -586,6 +599,36 @@ static void test_conforming_segments_have_empty_circles(void **state)
   }
 }
 
+// Faces of more than 200,000 triangles are refined by region and in rows: still everywhere, and as well as small ones.
+static void test_large_faces_are_refined_everywhere(void **state)
+{
+  (void)state;
+  for (int a = REFINE_DELAUNAY; a <= REFINE_FRONTAL; a++) {
+    Domain d;
+    make_domain(&d, HOLES, 0.003);
+    Tri m;
+    empty_mesh(&d, &m);
+    double area = area_inside(&m), *size = NULL, largest = 0;
+    TriRefineParams p = tri_refine_defaults();
+    p.algorithm = (RefineAlgorithm)a, p.optimize = p.smoothing = 0, p.sizes_out = &size;
+    TriRefineStats s = tri_refine(&m, &p);
+    assert_true(s.inserted > 100000);
+    check_mesh(&m, &d, area);
+    assert_int_equal(tri_check(&m, TRI_CHECK_DELAUNAY, NULL), 0);
+    for (EdgeId e = 0; e < 3 * m.nt; e++) {
+      if (!tri_is_inside(&m, tri_of(e))) continue;
+      VertId u = tri_org(&m, e), v = tri_dest(&m, e);
+      double l = hypot(tri_xy(&m, u)[0] - tri_xy(&m, v)[0], tri_xy(&m, u)[1] - tri_xy(&m, v)[1]);
+      largest = fmax(largest, l * (size[u] + size[v]) / (2 * size[u] * size[v]));
+    }
+    assert_true(largest < 1.6);
+    assert_true(measure(&m, NULL, NULL).gamma_mean > (a == REFINE_DELAUNAY ? 0.9 : 0.98));
+    free(size);
+    tri_free(&m);
+    vec_free(&d.xy), vec_free(&d.ends);
+  }
+}
+
 int main(void)
 {
   const struct CMUnitTest tests[] = {
@@ -604,6 +647,7 @@ int main(void)
       cmocka_unit_test(test_splits_follow_the_curve),
       cmocka_unit_test(test_conforming_vertices_have_no_hints),
       cmocka_unit_test(test_conforming_segments_have_empty_circles),
+      cmocka_unit_test(test_large_faces_are_refined_everywhere),
   };
   return unit_run(tests);
 }

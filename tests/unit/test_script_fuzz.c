@@ -1,5 +1,5 @@
-// test_script_fuzz.c - thousands of damaged scripts: the fuzz target of tests/fuzz run over mutations of
-// tests/script SPDX-License-Identifier: MIT
+// test_script_fuzz.c - thousands of damaged scripts: the fuzz target of tests/fuzz run over mutations of tests/script
+// SPDX-License-Identifier: MIT
 //
 // Usage: test_script_fuzz [SEED ROUNDS FILE...]. Without arguments a few fixed rounds over all script tests
 // but those of limits.

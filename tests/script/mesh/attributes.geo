@@ -19,6 +19,7 @@ Transfinite Surface{1} AlternateRight; Transfinite Surface{1} AlternateLeft; Tra
 Transfinite Surface{1} Sideways;                 // expect warning: unknown arrangement 'Sideways', taken as Alternate
 Transfinite Surface{1} = {1,2,3,4,5};            // expect error: a transfinite surface has 3 or 4 corners, not 5
 Transfinite Volume{1} = {1,2}; TransfQuadTri{1};
+ReorientMesh Volume{1}; // expect warning: 'ReorientMesh' is left out
 Transfinite Point{1};                            // expect error: expected Curve, Surface or Volume after 'Transfinite'
 Recombine Surface{1}; Recombine Surface{1} = 30; Recombine Surface{:}; Recombine Volume{1};
 Smoother Surface{1} = 4; MeshAlgorithm Surface{1} = 5; MeshSizeFromBoundary Surface{1} = 0;

@@ -5,7 +5,7 @@ Physical Curve(5) = {2}; Physical Curve(6) = {1};
 s[] = Split Curve {1} Point {2}; Printf("%g", #s[]); // expect: 2
 Translate {0, 0, 1} { Physical Curve{:}; }
 Translate {0, 0, -1} { Point In BoundingBox {-1,-1,-1, 9,9,9}; }
-Extrude {0, 0, 1} { Line{2}; Layers{2}; Recombine 1; ScaleLastLayer; Using Index[0]; QuadTriNoNewVerts RecombLaterals; }
+Extrude {0, 0, 1} { Line{2}; Layers{2}; Recombine 1; ScaleLastLayer; Using Index[0]; QuadTriNoNewVerts RecombLaterals; } // expect warning: 'QuadTriNoNewVerts' is left out
 Extrude { Point{1}; Layers{2, 0.1}; }            // expect error: normal
 Duplicata Point{1};                              // expect error: expected '{' and a list of shapes
 Intersect Curve {1} Surface {2};                 // expect error: Intersect Curve is not supported
