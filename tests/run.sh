@@ -6,7 +6,7 @@ set -u
 cd "$(dirname "$0")/.." || exit 3
 tier=${1:-all}
 build=build/${CONFIG:-release}
-export MESHGEN=$PWD/$build/meshgen ROOT=$PWD CONFIG=${CONFIG:-release}
+export MESHGEN=$PWD/$build/meshgen ROOT=$PWD CONFIG=${CONFIG:-release} PYTHONDONTWRITEBYTECODE=1
 scratch=$(mktemp -d "${TMPDIR:-/tmp}/meshgen-tests.XXXXXX")
 export SCRATCH=$scratch
 # Memory that fontconfig (of cairo) keeps for the life of the process is no leak of ours.

@@ -79,6 +79,17 @@ static void finish_mesh(Job *j, int dim)
   if (dim >= 1 && j->options.Mesh_ElementOrder > 1) job_mesh_set_order(j, j->options.Mesh_ElementOrder);
 }
 
+// The estimate before meshing knows nothing of what is refined for angles.
+static bool few_enough(const Job *j, const FaceMesh *face, size_t n)
+{
+  double total = 0;
+  for (size_t k = 0; k < n; k++) total += (double)(face[k].ntri + face[k].nquad);
+  if (total <= j->options.Mesh_MaxElements || j->cli->keep_going) return true;
+  diag_error(j->diag, NO_LOC, "the surfaces have %.0f elements, more than Mesh.MaxElements = %g (-max_elements)", total,
+             j->options.Mesh_MaxElements);
+  return false;
+}
+
 // With -keep_going faces grow until they meet the limit, each on its own.
 static void mesh_faces(Job *j, const SizeField *size, EdgeNodes *en, const BoundaryLayers *layers)
 {
@@ -98,7 +109,7 @@ static void mesh_faces(Job *j, const SizeField *size, EdgeNodes *en, const Bound
   j->failed_faces = joint ? mesh2d_joint_run(&in, j->curves, en, face) : mesh2d_run(&in, en, face);
   stage_end(&j->stats);
   for (size_t k = 0; k < n; k++) j->matching_seconds += face[k].matching_seconds;
-  if (!j->failed_faces || j->cli->keep_going) {
+  if ((!j->failed_faces || j->cli->keep_going) && few_enough(j, face, n)) {
     stage_begin(&j->stats, "assemble");
     j->mesh = mesh_assemble(j->model, j->curves, en, face, &j->options);
     j->node_size = mesh_assemble_sizes(j->model, j->curves, en, face);

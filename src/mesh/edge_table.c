@@ -62,14 +62,42 @@ static void add_line_block(EdgeTable *t, const Mesh *m, const MeshBlock *b)
   }
 }
 
-static void add_surface_block(EdgeTable *t, const MeshBlock *b)
+// An edge of another face without a line on it is shared if it is on the rim of this face. `met` counts these by their nodes.
+static void add_surface_block(EdgeTable *t, const Mesh *m, const MeshBlock *b, Map *met)
 {
   size_t per = (size_t)elem_nodes(b->type), c = (size_t)elem_corners(b->type);
   for (size_t k = 0; k < b->n; k++)
     for (size_t i = 0; i < c; i++) {
       uint32_t v = b->node[k * per + i], w = b->node[k * per + (i + 1) % c];
-      add_edge(t, MIN(v, w), MAX(v, w), b->entity, NAN, NAN);
+      bool added;
+      uint32_t e = *map_slot(&t->index, map_pair(v, w), (uint32_t)t->n, &added);
+      if (added) push_edge(t, MIN(v, w), MAX(v, w), b->entity, NAN, NAN);
+      else if (t->edge[e].entity != b->entity && m->entity[t->edge[e].entity].dim == 2) ++*map_slot(met, map_pair(v, w), 0, NULL);
     }
+}
+
+// Those met twice are within this face, as they are within another: two edges between the same nodes.
+static void add_own_edges(EdgeTable *t, const MeshBlock *b, const Map *met)
+{
+  size_t per = (size_t)elem_nodes(b->type), c = (size_t)elem_corners(b->type);
+  for (size_t k = 0; k < b->n; k++)
+    for (size_t i = 0; i < c; i++) {
+      uint32_t v = b->node[k * per + i], w = b->node[k * per + (i + 1) % c], times = map_get(met, map_pair(v, w));
+      if (times == NONE || times < 2) continue;
+      bool added;
+      map_slot(&t->own[b->entity], map_pair(v, w), (uint32_t)t->n, &added);
+      if (added) push_edge(t, MIN(v, w), MAX(v, w), b->entity, NAN, NAN);
+    }
+}
+
+// Blocks from, ... to - 1 are those of a face.
+static void add_face(EdgeTable *t, const Mesh *m, size_t from, size_t to)
+{
+  Map met = {0};
+  for (size_t i = from; i < to; i++) add_surface_block(t, m, &m->block[i], &met);
+  if (met.len && !t->own) t->own = mem_zalloc(m->nentity * sizeof *t->own);
+  for (size_t i = from; i < to && met.len; i++) add_own_edges(t, &m->block[i], &met);
+  map_free(&met);
 }
 
 void edge_table_make(EdgeTable *t, const Mesh *m)
@@ -78,8 +106,11 @@ void edge_table_make(EdgeTable *t, const Mesh *m)
   find_loose(t, m);
   for (size_t i = 0; i < m->nblock; i++)
     if (elem_dim(m->block[i].type) == 1) add_line_block(t, m, &m->block[i]);
-  for (size_t i = 0; i < m->nblock; i++)
-    if (elem_dim(m->block[i].type) == 2) add_surface_block(t, &m->block[i]);
+  t->nentity = m->nentity;
+  for (size_t i = 0, end; i < m->nblock; i = end) {
+    for (end = i + 1; end < m->nblock && m->block[end].entity == m->block[i].entity;) end++;
+    if (elem_dim(m->block[i].type) == 2) add_face(t, m, i, end);
+  }
 }
 
 void edge_table_free(EdgeTable *t)
@@ -87,15 +118,22 @@ void edge_table_free(EdgeTable *t)
   map_free(&t->index);
   free(t->edge);
   free(t->loose);
+  for (size_t i = 0; t->own && i < t->nentity; i++) map_free(&t->own[i]);
+  free(t->own);
   map_free(&t->loose_index);
   *t = (EdgeTable){0};
 }
 
-uint32_t edge_table_find(const EdgeTable *t, uint32_t a, uint32_t b) { return map_get(&t->index, map_pair(a, b)); }
+uint32_t edge_table_find(const EdgeTable *t, uint32_t entity, uint32_t a, uint32_t b)
+{
+  uint32_t own = t->own && entity != NONE && t->own[entity].len ? map_get(&t->own[entity], map_pair(a, b)) : NONE;
+  return own != NONE ? own : map_get(&t->index, map_pair(a, b));
+}
+
 // Of a curve's line element {a, b}.
 static uint32_t find_line(const EdgeTable *t, uint32_t curve, uint32_t a, uint32_t b)
 {
-  return t->loose[curve] ? map_get(&t->loose_index, (uint64_t)curve << 32 | a) : edge_table_find(t, a, b);
+  return t->loose[curve] ? map_get(&t->loose_index, (uint64_t)curve << 32 | a) : edge_table_find(t, NONE, a, b);
 }
 
 Vec3 edge_table_point(const EdgeTable *t, const Mesh *m, const Model *model, uint32_t e, double s, double *u)
@@ -220,9 +258,9 @@ static uint32_t added_node(const Enriched *e, const EdgeTable *t, int per_edge, 
   return e->edge[edge] + (uint32_t)(t->edge[edge].a == a ? k : per_edge - 1 - k);
 }
 
-uint32_t enriched_at(const Enriched *e, const EdgeTable *t, int per_edge, uint32_t a, uint32_t b, int k)
+uint32_t enriched_at(const Enriched *e, const EdgeTable *t, int per_edge, uint32_t entity, uint32_t a, uint32_t b, int k)
 {
-  return added_node(e, t, per_edge, edge_table_find(t, a, b), a, k);
+  return added_node(e, t, per_edge, edge_table_find(t, entity, a, b), a, k);
 }
 
 uint32_t enriched_on_line(const Enriched *e, const EdgeTable *t, int per_edge, uint32_t curve, uint32_t a, uint32_t b, int k)
@@ -240,9 +278,9 @@ uint32_t *enriched_block(Enriched *e, uint32_t entity, ElemType type, size_t n)
 static void pair_edge(const Enriched *e, const EdgeTable *t, int per_edge, const Map *master_of, size_t i, MeshPeriodic *p)
 {
   uint32_t a = map_get(master_of, t->edge[i].a), b = map_get(master_of, t->edge[i].b);
-  if (a == NONE || b == NONE || edge_table_find(t, a, b) == NONE) return;
+  if (a == NONE || b == NONE || edge_table_find(t, NONE, a, b) == NONE) return;
   for (int k = 0; k < per_edge; k++) {
-    uint32_t slave = e->edge[i] + (uint32_t)k, master = enriched_at(e, t, per_edge, a, b, k);
+    uint32_t slave = e->edge[i] + (uint32_t)k, master = enriched_at(e, t, per_edge, NONE, a, b, k);
     vec_push(&p->slave_node, slave);
     vec_push(&p->master_node, master);
     if (p->has_affine) periodic_place(e->mesh, p->affine, slave, master);

@@ -23,6 +23,7 @@ static void clear(FaceCluster *p)
   vec_free(&p->curve);
   vec_free(&p->chain);
   vec_free(&p->start);
+  vec_free(&p->on_curve);
   vec_free(&p->skinny);
   free(p->size);
   p->size = NULL;
@@ -48,13 +49,13 @@ Vec3 face_cluster__place(const FaceCluster *p, VertId v)
 }
 
 // Parameter of vertex v on the curve of segment s.
-static double vertex_parameter(const FaceCluster *p, const Curve *c, uint32_t s, VertId v)
+static double vertex_parameter(const FaceCluster *p, uint32_t s, VertId v)
 {
-  const CurveMesh *cm = mesh1d_curve(p->curves, c->tag);
+  const CurveMesh *cm = mesh1d_curve(p->curves, p->graph.curve.data[s]);
   uint32_t i = p->first.data[s];
   if (v == p->graph.ends.data[2 * s]) return cm->u[i];
   if (v == p->graph.ends.data[2 * s + 1]) return cm->u[i + 1];
-  return curve_nearest(p->in->model, c, face_cluster__place(p, v));
+  return p->on_curve.data[v];
 }
 
 static bool split_point(void *ctx, VertId u, VertId v, double at, Vec2 *point)
@@ -65,19 +66,28 @@ static bool split_point(void *ctx, VertId u, VertId v, double at, Vec2 *point)
   uint32_t s = p->tri.seg[e];
   const Curve *c = model_curve(p->in->model, p->graph.curve.data[s]);
   if (is_fixed(c) || map_get(p->held, (uint64_t)c->tag) != NONE) return false;
+  double ua = vertex_parameter(p, s, u), ub = vertex_parameter(p, s, v);
+  p->next_on_curve = ua + at * (ub - ua);
   if (curve_is_straight(p->in->model, c)) {
     const double *a = tri_xy(&p->tri, u), *b = tri_xy(&p->tri, v);
     *point = (Vec2){a[0] + at * (b[0] - a[0]), a[1] + at * (b[1] - a[1])};
-    return true;
+  } else {
+    *point = face_to_plane(p->frame, curve_point(p->in->model, c, p->next_on_curve));
   }
-  double ua = vertex_parameter(p, c, s, u), ub = vertex_parameter(p, c, s, v);
-  *point = face_to_plane(p->frame, curve_point(p->in->model, c, ua + at * (ub - ua)));
   return true;
+}
+
+static void split_placed(void *ctx, VertId u, VertId v, VertId w)
+{
+  (void)u, (void)v;
+  FaceCluster *p = ctx;
+  while (p->on_curve.len <= w) vec_push(&p->on_curve, NAN);
+  p->on_curve.data[w] = p->next_on_curve;
 }
 
 typedef struct {
   uint32_t seg;
-  double along; // share of the chord of the 1D edge
+  double u;
   VertId v;
 } SplitVertex;
 typedef Vec(SplitVertex) SplitVertices;
@@ -86,7 +96,7 @@ static int compare_splits(const void *a, const void *b)
 {
   const SplitVertex *x = a, *y = b;
   if (x->seg != y->seg) return x->seg < y->seg ? -1 : 1;
-  if (x->along != y->along) return x->along < y->along ? -1 : 1;
+  if (x->u != y->u) return x->u < y->u ? -1 : 1;
   return (x->v > y->v) - (x->v < y->v);
 }
 
@@ -97,11 +107,7 @@ static void find_splits(const FaceCluster *p, SplitVertices *out)
   for (EdgeId e = 0; e < 3 * t->nt; e++) {
     if (tri_is_free(t, tri_of(e)) || !tri_is_segment(t, e) || t->vert[e] < p->graph.node.len) continue;
     uint32_t s = t->seg[e];
-    const double *a = tri_xy(t, p->graph.ends.data[2 * s]), *b = tri_xy(t, p->graph.ends.data[2 * s + 1]);
-    const double *q = tri_xy(t, t->vert[e]);
-    double dx = b[0] - a[0], dy = b[1] - a[1];
-    SplitVertex x = {s, ((q[0] - a[0]) * dx + (q[1] - a[1]) * dy) / (dx * dx + dy * dy), t->vert[e]};
-    vec_push(out, x);
+    vec_push(out, ((SplitVertex){s, p->on_curve.data[t->vert[e]], t->vert[e]}));
   }
   if (out->len) qsort(out->data, out->len, sizeof *out->data, compare_splits);
   size_t n = 0;
@@ -127,10 +133,7 @@ static void update_curves(FaceCluster *p, const SplitVertices *splits)
       vec_push(&u, cm->u[p->first.data[end]]);
       vec_push(&p->chain, g->ends.data[2 * end]);
       for (; at < splits->len && splits->data[at].seg == end; at++) {
-        double ua = cm->u[p->first.data[end]], ub = cm->u[p->first.data[end] + 1];
-        double x = curve_is_straight(p->in->model, c) ? ua + splits->data[at].along * (ub - ua)
-                                                      : vertex_parameter(p, c, end, splits->data[at].v);
-        vec_push(&u, x);
+        vec_push(&u, splits->data[at].u);
         vec_push(&p->chain, splits->data[at].v);
       }
     }
@@ -162,7 +165,9 @@ static bool empty_mesh(FaceCluster *p)
   Tri *t = &p->tri;
   tri_init(t);
   build_graph(p);
-  if (!face_graph_recover(&p->graph, p->in->model, p->frame, t, p->diag) || !face_cluster__regions(p)) return false;
+  if (!face_graph_recover(&p->graph, p->in->model, p->frame, t, p->diag) || !face_cluster__regions(p) ||
+      !face_cluster__embedded_inside(p))
+    return false;
   t->region = mem_realloc(t->region, t->cap_t * sizeof *t->region);
   for (TriId k = 0; k < t->nt; k++) {
     if (tri_is_free(t, k)) continue;
@@ -184,6 +189,7 @@ static ClusterOutcome refine(FaceCluster *p)
   r.min_angle = o->Mesh_MinimumAngle;
   r.conforming = o->Mesh_ConformingDelaunay;
   r.split = split_point;
+  r.placed = split_placed;
   r.split_ctx = p;
   r.skinny_out = &p->skinny;
   r.sizes_out = &p->size;

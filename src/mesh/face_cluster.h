@@ -27,6 +27,8 @@ typedef struct {
   uint32_t *owner;       // per region: index into face, or NONE
   IntVec curve;          // tags of the curves bounding or embedded
   U32Vec chain, start;   // vertices of curve i from its begin to its end: chain[start[i]] to chain[start[i + 1] - 1]
+  DoubleVec on_curve;    // per vertex that split an edge of a curve: its parameter there
+  double next_on_curve;  // of the vertex that is being placed
   double *size;          // per vertex: the wanted edge length
   TriSkinnyVec skinny;   // triangles below the smallest angle
   Diag *diag;            // errors and warnings of the last meshing

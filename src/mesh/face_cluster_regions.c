@@ -103,6 +103,40 @@ static bool claim_regions(FaceCluster *p, size_t k, const RegionEdges *edges, co
   return good;
 }
 
+// Segments of curve `tag`, which the k-th face embeds, without a triangle of the face beside them: name the first.
+static bool lies_in(const FaceCluster *p, size_t k, int tag, const uint32_t *beside)
+{
+  for (size_t s = 0; s < p->graph.curve.len; s++) {
+    if (p->graph.curve.data[s] != tag || beside[2 * s] == k || beside[2 * s + 1] == k) continue;
+    const double *q = tri_xy(&p->tri, p->graph.ends.data[2 * s]);
+    Vec3 at = face_from_plane(p->frame, (Vec2){q[0], q[1]});
+    const Face *f = model_face_at(p->in->model, p->face.data[k]);
+    diag_error(p->diag, f->loc, "embedded curve %d is outside surface %d near (%g, %g, %g)", tag, f->tag, at.x, at.y, at.z);
+    return false;
+  }
+  return true;
+}
+
+bool face_cluster__embedded_inside(const FaceCluster *p)
+{
+  const Tri *t = &p->tri;
+  size_t n = 2 * p->graph.curve.len;
+  uint32_t *beside = mem_alloc((n + 1) * sizeof *beside); // owners of the triangles on either side of each segment
+  memset(beside, 0xff, n * sizeof *beside);
+  for (EdgeId e = 0; e < 3 * t->nt; e++) {
+    if (tri_is_free(t, tri_of(e)) || !tri_is_segment(t, e)) continue;
+    beside[2 * (size_t)t->seg[e]] = p->owner[p->region[tri_of(e)]];
+    beside[2 * (size_t)t->seg[e] + 1] = p->owner[p->region[tri_of(t->twin[e])]];
+  }
+  bool good = true;
+  for (size_t k = 0; k < p->face.len && good; k++) {
+    const IntVec *embedded = &model_face_at(p->in->model, p->face.data[k])->embedded_curves;
+    for (size_t i = 0; i < embedded->len && good; i++) good = lies_in(p, k, abs(embedded->data[i]), beside);
+  }
+  free(beside);
+  return good;
+}
+
 bool face_cluster__regions(FaceCluster *p)
 {
   find_regions(p);

@@ -18,7 +18,7 @@ static size_t say_acute(const FaceCluster *p, VertId v, size_t left)
   do {
     EdgeId from = e;
     double angle = tri_wedge(t, &e);
-    if (angle < M_PI / 3) {
+    if (angle < REFINE_ACUTE) {
       Vec3 at = face_cluster__place(p, v);
       Diag *d = p->in->diag;
       const Curve *c = model_curve(p->in->model, p->graph.curve.data[t->seg[from]]);

@@ -9,6 +9,8 @@
 // The mesh of the field has triangles of good shape, and about this many along the shorter side of a square at least.
 enum { ACROSS = 24 };
 #define ANGLE 22.0
+// So many triangles at most: a sliver, which would take as many as it is longer than wide, keeps some of bad shape.
+enum { MOST = 10000, MOST_PER_VERTEX = 50 };
 
 // Sizes of that mesh: small where the wanted size changes, though not much smaller than this.
 typedef struct {
@@ -74,6 +76,7 @@ static void refine_copy(Tri *copy, const TriRefineParams *q)
   p.extend_from_boundary = false;
   p.smoothing = p.optimize = 0;
   p.min_angle = ANGLE;
+  p.max_triangles = MOST + MOST_PER_VERTEX * (size_t)copy->nv;
   tri_refine(copy, &p);
 }
 

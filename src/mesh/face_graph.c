@@ -170,8 +170,22 @@ static bool recover(Tri *t, const FaceGraph *g, const Model *m, const Face *f, D
   return said == 0;
 }
 
-// Embedded curves must lie in the face: every segment needs a triangle of the face beside it. Points may be left out.
-static bool embedded_inside(const Tri *t, const FaceGraph *g, const Face *f, Diag *diag)
+// Do the loops of f run along the curve? Then they do so twice, or it would bound f.
+static bool in_loops(const Model *m, const Face *f, int tag)
+{
+  IntVec curve = {0}, start = {0};
+  bool found = false;
+  if (f->united) face_boundary_united(m, f, &curve);
+  else face_boundary(m, f, &curve, &start);
+  for (size_t i = 0; i < curve.len && !found; i++) found = abs(curve.data[i]) == tag;
+  vec_free(&curve);
+  vec_free(&start);
+  return found;
+}
+
+// Embedded curves must lie in the face: every segment needs a triangle of the face beside it. Two holes may have a curve in common,
+// which is in no triangle then. Points may be left out.
+static bool embedded_inside(const Tri *t, const FaceGraph *g, const Model *m, const Face *f, Diag *diag)
 {
   bool *seen = mem_zalloc((g->node.len + g->curve.len) * sizeof *seen), good = true;
   for (TriId k = 0; k < t->nt; k++) {
@@ -181,12 +195,19 @@ static bool embedded_inside(const Tri *t, const FaceGraph *g, const Face *f, Dia
       if (tri_is_segment(t, e)) seen[g->node.len + t->seg[e]] = true;
     }
   }
+  int between = 0; // the last curve found between holes
   for (size_t i = 0; i < g->curve.len && good; i++) {
     if (seen[g->node.len + i]) continue;
+    int tag = g->curve.data[i];
+    if (tag == between || (g->embedded.data[i] && in_loops(m, f, tag))) {
+      between = tag;
+      seen[g->ends.data[2 * i]] = seen[g->ends.data[2 * i + 1]] = true;
+      continue;
+    }
     const double *p = &g->xy.data[2 * g->ends.data[2 * i]];
     Vec3 q = face_from_plane(f, (Vec2){p[0], p[1]});
-    diag_error(diag, f->loc, "%s curve %d is outside surface %d near (%g, %g, %g)",
-               g->embedded.data[i] ? "embedded" : "boundary", g->curve.data[i], f->tag, q.x, q.y, q.z);
+    diag_error(diag, f->loc, "%s curve %d is outside surface %d near (%g, %g, %g)", g->embedded.data[i] ? "embedded" : "boundary", tag,
+               f->tag, q.x, q.y, q.z);
     good = false;
   }
   for (size_t i = 0; i < g->node.len && good; i++) {
@@ -253,5 +274,5 @@ bool face_graph_mesh(const FaceGraph *g, const Model *m, const Face *f, Tri *t, 
     diag_error(diag, f->loc, "surface %d has no area", f->tag);
     return false;
   }
-  return embedded_inside(t, g, f, diag);
+  return embedded_inside(t, g, m, f, diag);
 }

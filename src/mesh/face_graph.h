@@ -29,16 +29,15 @@ typedef struct {
   DoubleVec middle_xy;
 } FaceGraph;
 
-// What a mesh of f must have as edges and nodes: its boundary curves in the order of their tags (one that the loops run along twice is a
-// slit and counts as embedded), then embedded curves, then embedded points, by node.
+// What a mesh of f must have as edges and nodes: its boundary curves in the order of their tags (one that the loops run along twice, a
+// slit or what two holes have in common, counts as embedded), then embedded curves, then embedded points, by node.
 typedef struct {
   void (*curve)(void *ctx, int tag, bool embedded);
   void (*point)(void *ctx, uint32_t node);
 } FaceVisitor;
 void face_graph_visit(const Model *m, const Face *f, const FaceVisitor *v, void *ctx);
 
-// Add boundary curves (one that the loops run along twice is a slit and lies inside), embedded curves and points of f. Curves that
-// are there already are not added again. nodes and curves are those of the model's 1D mesh.
+// Add boundary curves, embedded curves and points of f. Curves that are there already are not added again. nodes and curves are those of the model's 1D mesh.
 void face_graph_add(FaceGraph *g, const Model *m, const Face *f, const Mesh1d *curves, const EdgeNodes *nodes);
 void face_graph_free(FaceGraph *g);
 

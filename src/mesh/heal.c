@@ -80,17 +80,28 @@ static int by_curve(const void *a, const void *b)
   return (p->point > q->point) - (p->point < q->point);
 }
 
-// The cuts of one curve: ascending, none at its ends, none twice.
+// Does the curve go away from a place and come back to it between parameters u and v, rather than stay there?
+static bool goes_round(const Healer *h, const Curve *curve, double u, double v)
+{
+  enum { LOOKS = 8 };
+  Vec3 at = curve_point(h->m, curve, u);
+  for (int k = 1; k < LOOKS; k++)
+    if (vec3_distance(curve_point(h->m, curve, u + (v - u) * k / LOOKS), at) > 10 * h->near) return true;
+  return false;
+}
+
+// The cuts of one curve: ascending, none at its ends, none twice. One that crosses itself is cut twice at one point.
 static size_t cuts_of(const Healer *h, const CurveMeeting *c, size_t n, CurveCut *cut)
 {
   const Curve *curve = model_curve(h->m, c->curve);
   size_t k = 0;
   for (size_t i = 0; i < n; i++) {
-    if (!(c[i].u > 0 && c[i].u < 1) || c[i].point == (k ? cut[k - 1].point : curve->begin)) continue;
-    if (k && !(c[i].u > cut[k - 1].u)) continue;
+    const double last = k ? cut[k - 1].u : 0;
+    if (!(c[i].u > last && c[i].u < 1)) continue;
+    if (c[i].point == (k ? cut[k - 1].point : curve->begin) && !goes_round(h, curve, last, c[i].u)) continue;
     cut[k++] = (CurveCut){c[i].u, c[i].point};
   }
-  while (k && cut[k - 1].point == curve->end) k--;
+  while (k && cut[k - 1].point == curve->end && !goes_round(h, curve, cut[k - 1].u, 1)) k--;
   return k;
 }
 

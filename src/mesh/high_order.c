@@ -85,11 +85,11 @@ static void write_cells(const Elevator *v, const MeshBlock *from, const uint32_t
     Cell cell = {.corner = from->node + (size_t)c * k, .corners = c};
     for (int i = 0; i < c; i++) {
       *to++ = v->e.node[cell.corner[i]];
-      cell.edge[i] = edge_table_find(&v->table, cell.corner[i], cell.corner[(i + 1) % c]);
+      cell.edge[i] = edge_table_find(&v->table, from->entity, cell.corner[i], cell.corner[(i + 1) % c]);
     }
     for (int i = 0; i < c; i++)
       for (int j = 0; j < v->per_edge; j++)
-        *to++ = enriched_at(&v->e, &v->table, v->per_edge, cell.corner[i], cell.corner[(i + 1) % c], j);
+        *to++ = enriched_at(&v->e, &v->table, v->per_edge, from->entity, cell.corner[i], cell.corner[(i + 1) % c], j);
     if (!inside) continue;
     Vec3 node[ELEM_MAX_NODES], normal;
     high_order__nodes(v, &cell, node, &normal);

@@ -75,7 +75,7 @@ CellVec high_order__cells(const Elevator *v)
     int c = elem_corners(b->type);
     for (size_t k = 0; k < b->n; k++) {
       Cell x = {.corner = b->node + (size_t)c * k, .corners = c};
-      for (int j = 0; j < c; j++) x.edge[j] = edge_table_find(&v->table, x.corner[j], x.corner[(j + 1) % c]);
+      for (int j = 0; j < c; j++) x.edge[j] = edge_table_find(&v->table, b->entity, x.corner[j], x.corner[(j + 1) % c]);
       vec_push(&cell, x);
     }
   }

@@ -58,6 +58,25 @@ static void raise_least_counts(Mesher1d *d)
   }
 }
 
+// Two lines between the same points, both in loops, are the sides of a crack: it opens where each has a node of its own.
+static void open_cracks(Mesher1d *d)
+{
+  Map line = {0}; // ends -> the first line between them that is in a loop
+  for (size_t k = 0; k < model_faces(d->m); k++) {
+    const Face *f = model_face_at(d->m, k);
+    for (int i = 0; i < f->nloop; i++) {
+      const Loop *loop = model_loop(d->m, f->loop[i]);
+      for (int j = 0; loop && j < loop->ncurve; j++) {
+        uint32_t c = mesh1d_index(d->g, loop->curve[j]);
+        if (c == NONE || d->work[c].c->type != CURVE_LINE) continue;
+        uint32_t other = *map_slot(&line, map_pair((uint32_t)d->work[c].c->begin, (uint32_t)d->work[c].c->end), c, NULL);
+        if (other != c) d->work[c].least = MAX(d->work[c].least, 2u), d->work[other].least = MAX(d->work[other].least, 2u);
+      }
+    }
+  }
+  map_free(&line);
+}
+
 static uint32_t master_of(const Mesher1d *d, size_t k)
 {
   const Curve *c = d->work[k].c;
@@ -98,6 +117,7 @@ static void choose_rules(Mesher1d *d)
     if (w->rule == RULE_LAYERS) w->segments = layer_segments(&w->c->layers);
   }
   raise_least_counts(d);
+  open_cracks(d);
 }
 
 // ---- in parallel ------------------------------------------------------------------------------------------------------------

@@ -231,6 +231,48 @@ static void mesh_fine_enough(const Driver *d, size_t k, SizeEval *eval, FaceMesh
   diag_merge(diag, said);
 }
 
+// The area within the boundary nodes of face k; NAN if they bound nothing valid.
+static double area_within(const Driver *d, size_t k, Diag *diag)
+{
+  const Face *f = model_face_at(d->in->model, k);
+  FaceGraph g = {0};
+  face_graph_add(&g, d->in->model, f, d->in->curves, d->nodes);
+  Tri t;
+  tri_init(&t);
+  double sum = face_graph_mesh(&g, d->in->model, f, &t, diag) ? 0 : NAN;
+  for (TriId i = 0; sum >= 0 && i < t.nt; i++) {
+    if (!tri_is_inside(&t, i)) continue;
+    const double *a = tri_xy(&t, t.vert[3 * i]), *b = tri_xy(&t, t.vert[3 * i + 1]), *c = tri_xy(&t, t.vert[3 * i + 2]);
+    sum += 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+  }
+  tri_free(&t);
+  face_graph_free(&g);
+  return sum;
+}
+
+static double area_of(const Driver *d, const Face *f, const FaceMesh *mesh)
+{
+  double sum = 0;
+  for (size_t n = 3; n <= 4; n++)
+    for (size_t i = 0; i < (n == 3 ? mesh->ntri : mesh->nquad); i++) {
+      const uint32_t *id = n == 3 ? mesh->tri + 3 * i : mesh->quad + 4 * i;
+      Vec2 p[4];
+      for (size_t k = 0; k < n; k++)
+        p[k] = face_to_plane(f, id[k] < d->nodes->n ? d->nodes->xyz[id[k]] : mesh->own[id[k] - d->nodes->n]);
+      for (size_t k = 1; k + 1 < n; k++) sum += 0.5 * vec2_cross(vec2_sub(p[k], p[0]), vec2_sub(p[k + 1], p[0]));
+    }
+  return sum;
+}
+
+// A coarse polygon may have a hole on its other side, or a corner of another loop: what is made of it does not fill the face then.
+static bool fills_face(const Driver *d, size_t k, const FaceMesh *mesh)
+{
+  Diag *ignored = diag_child(d->in->diag);
+  double want = area_within(d, k, ignored), has = area_of(d, model_face_at(d->in->model, k), mesh);
+  diag_free(ignored);
+  return !(fabs(has - want) > 1e-9 * fabs(want)) || mesh->failed;
+}
+
 static void mesh_plane_face(const Driver *d, size_t k, SizeEval *eval, FaceMesh *out, Diag *diag)
 {
   const Face *f = model_face_at(d->in->model, k);
@@ -241,6 +283,11 @@ static void mesh_plane_face(const Driver *d, size_t k, SizeEval *eval, FaceMesh 
     Diag *said = diag_child(diag);
     Attempt attempt = {.coarse = true, .finer = 1};
     bool valid = try_plane_face(d, k, eval, &attempt, out, said);
+    if (valid && !fills_face(d, k, out)) {
+      face_mesh_free(out);
+      *out = (FaceMesh){0};
+      valid = false;
+    }
     if (valid) {
       diag_merge(diag, said);
       size_eval_report(eval, diag); // after a failure the next attempt says it

@@ -82,7 +82,7 @@ static void push_curve(void *ctx, int tag, bool embedded)
 {
   (void)embedded;
   IntVec *out = ctx;
-  vec_push(out, tag);
+  vec_push(out, abs(tag));
 }
 
 static void no_point(void *ctx, uint32_t node) { (void)ctx, (void)node; }

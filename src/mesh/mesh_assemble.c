@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/base.h"
 
+#include "base/map.h"
 #include "mesh/mesh2d.h"
 #include "model/model_edit.h"
 
@@ -13,9 +14,15 @@ static void set_box(MeshEntity *e, Box3 b)
 
 static Box3 box_union(Box3 a, Vec3 lo, Vec3 hi) { return box3_with(box3_with(a, lo), hi); }
 
+// A curve that bounds the face too, as Coherence may make of an embedded one, is no more than that.
 static void add_embedded(MeshEntity *e, const Face *f)
 {
-  for (size_t i = 0; i < f->embedded_curves.len; i++) vec_push(&e->embedded, f->embedded_curves.data[i]);
+  if (!f->embedded_curves.len) return;
+  Map bounds = {0};
+  for (size_t i = 0; i < e->boundary.len; i++) map_set(&bounds, (uint64_t)abs(e->boundary.data[i]), 1);
+  for (size_t i = 0; i < f->embedded_curves.len; i++)
+    if (map_get(&bounds, (uint64_t)abs(f->embedded_curves.data[i])) == NONE) vec_push(&e->embedded, f->embedded_curves.data[i]);
+  map_free(&bounds);
 }
 
 static void add_entities(Mesh *mesh, const Model *m)

@@ -45,65 +45,99 @@ static void add_curve(const Check *c, const CheckedFace *f, uint32_t curve, int 
       double p[2], q[2];
       check__project(c, f, v[0], p);
       check__project(c, f, v[1], q);
-      double t = (p[0] - origin[0]) * (q[1] - origin[1]) - (p[1] - origin[1]) * (q[0] - origin[0]);
-      check__sum_add(area, sign * t / 2);
+      double along[2] = {sign * (q[0] - p[0]), sign * (q[1] - p[1])};
+      check__add_cross(area, (double[]){p[0] - origin[0], p[1] - origin[1]}, along);
     }
   }
 }
 
-// A loop of a face: curves from, ... to - 1 of its boundary, and the area they enclose.
+// A loop of a face that comes to no point twice: curves from, ... to - 1 of a list, and the area they enclose.
 typedef struct {
   size_t from, to;
   double area;
 } Loop;
-typedef Vec(Loop) Loops;
 
-// Loops follow each other in the list; one ends where it comes back to its beginning. *size: sum of the terms of all.
-static void find_loops(const Check *c, const CheckedFace *f, const double origin[2], Loops *out, double *size)
+typedef struct {
+  IntVec curve; // signed tags
+  Vec(Loop) loop;
+  double size; // sum of the terms of all
+} Loops;
+
+static void loops_free(Loops *l)
 {
-  const MeshEntity *e = &c->m->entity[f->entity];
-  int start = 0;
-  size_t from = 0;
-  CompensatedSum loop = {0, 0, 0};
-  for (size_t i = 0; i < e->boundary.len; i++) {
-    int tag = e->boundary.data[i], sign = tag < 0 ? -1 : 1;
-    uint32_t curve = mesh_find_entity(c->m, 1, abs(tag));
-    const IntVec *ends = &c->m->entity[curve].boundary;
-    int begin = ends->len ? abs(ends->data[0]) : 0, end = ends->len ? abs(ends->data[ends->len - 1]) : 0;
-    if (!start) start = sign > 0 ? begin : end;
-    add_curve(c, f, curve, sign, origin, &loop);
-    if ((sign > 0 ? end : begin) != start && i + 1 < e->boundary.len) continue;
-    vec_push(out, ((Loop){from, i + 1, fabs(loop.sum + loop.low)}));
-    *size += loop.size;
-    loop = (CompensatedSum){0, 0, 0};
-    start = 0;
-    from = i + 1;
+  vec_free(&l->curve);
+  vec_free(&l->loop);
+}
+
+static void add_loop(const Check *c, const CheckedFace *f, const double origin[2], const int *tag, size_t n, Loops *out)
+{
+  CompensatedSum area = {0, 0, 0};
+  Loop l = {out->curve.len, out->curve.len + n, 0};
+  for (size_t i = 0; i < n; i++) {
+    add_curve(c, f, mesh_find_entity(c->m, 1, abs(tag[i])), tag[i] < 0 ? -1 : 1, origin, &area);
+    vec_push(&out->curve, tag[i]);
   }
+  l.area = fabs(area.sum + area.low);
+  vec_push(&out->loop, l);
+  out->size += area.size;
+}
+
+static int end_of(const Mesh *m, int tag, bool last)
+{
+  const IntVec *ends = &m->entity[mesh_find_entity(m, 1, abs(tag))].boundary;
+  return ends->len ? abs(ends->data[last == (tag > 0) ? ends->len - 1 : 0]) : 0;
+}
+
+// Follow the curves, and take out a loop wherever they come back to a point on the way: loops may touch themselves, run along slits and
+// back, and round holes at the end of these either way.
+static void find_loops(const Check *c, const CheckedFace *f, const double origin[2], Loops *out)
+{
+  const IntVec *boundary = &c->m->entity[f->entity].boundary;
+  IntVec way = {0};
+  Map at = {0}; // point -> curves before it on the way
+  for (size_t i = 0; i < boundary->len; i++) {
+    int tag = boundary->data[i];
+    if (!way.len) map_set(&at, (uint64_t)end_of(c->m, tag, false), 0);
+    vec_push(&way, tag);
+    uint64_t point = (uint64_t)end_of(c->m, tag, true);
+    uint32_t from = map_get(&at, point);
+    if (from < way.len) {
+      bool slit = way.len - from == 2 && way.data[from] == -tag;
+      if (!slit) add_loop(c, f, origin, way.data + from, way.len - from, out);
+      if (!from) map_set(&at, point, NONE);
+      for (size_t k = from; k + 1 < way.len; k++) map_set(&at, (uint64_t)end_of(c->m, way.data[k], true), NONE);
+      way.len = from;
+    } else {
+      map_set(&at, point, (uint32_t)way.len);
+    }
+  }
+  if (way.len) add_loop(c, f, origin, way.data, way.len, out);
+  vec_free(&way);
+  map_free(&at);
 }
 
 // The area of the largest loop less the others: holes may be run either way and be listed first.
-static double area_less_holes(const Loops *loops, double *size)
+static double area_less_holes(const Loops *loops)
 {
   CompensatedSum sum = {0, 0, 0};
   double largest = 0;
-  for (size_t i = 0; i < loops->len; i++) {
-    check__sum_add(&sum, -loops->data[i].area);
-    largest = fmax(largest, loops->data[i].area);
+  for (size_t i = 0; i < loops->loop.len; i++) {
+    check__sum_add(&sum, -loops->loop.data[i].area);
+    largest = fmax(largest, loops->loop.data[i].area);
   }
   check__sum_add(&sum, largest);
   check__sum_add(&sum, largest);
-  *size = fmax(*size, sum.size);
   return sum.sum + sum.low;
 }
 
 // Is p within the loop: does a ray to the right cross it an odd number of times?
-static bool is_within(const Check *c, const CheckedFace *f, const Loop *loop, const double p[2])
+static bool is_within(const Check *c, const CheckedFace *f, const int *curve, size_t n, const double p[2])
 {
   const Mesh *m = c->m;
   bool odd = false;
-  for (size_t i = loop->from; i < loop->to; i++) {
+  for (size_t i = 0; i < n; i++) {
     uint32_t b, last;
-    blocks_of(m, mesh_find_entity(m, 1, abs(m->entity[f->entity].boundary.data[i])), &b, &last);
+    blocks_of(m, mesh_find_entity(m, 1, abs(curve[i])), &b, &last);
     for (; b < last; b++)
       for (size_t k = 0; k < m->block[b].n; k++) {
         const uint32_t *v = m->block[b].node + k * (size_t)elem_nodes(m->block[b].type);
@@ -123,16 +157,18 @@ static double area_of_parts(const Check *c, const CheckedFace *f, const Loops *l
 {
   const Mesh *m = c->m;
   CompensatedSum sum = {0, 0, 0};
-  for (size_t i = 0; i < loops->len; i++) {
+  for (size_t i = 0; i < loops->loop.len; i++) {
+    const Loop *l = loops->loop.data + i;
     uint32_t b, last;
-    blocks_of(m, mesh_find_entity(m, 1, abs(m->entity[f->entity].boundary.data[loops->data[i].from])), &b, &last);
+    blocks_of(m, mesh_find_entity(m, 1, abs(loops->curve.data[l->from])), &b, &last);
     double q[2], r[2];
     check__project(c, f, m->block[b].node[0], q);
     check__project(c, f, m->block[b].node[1], r);
     const double middle[2] = {0.5 * (q[0] + r[0]), 0.5 * (q[1] + r[1])};
     int around = 0;
-    for (size_t j = 0; j < loops->len; j++) around += j != i && is_within(c, f, &loops->data[j], middle);
-    check__sum_add(&sum, around % 2 ? -loops->data[i].area : loops->data[i].area);
+    for (const Loop *o = loops->loop.data; o < loops->loop.data + loops->loop.len; o++)
+      around += o != l && is_within(c, f, loops->curve.data + o->from, o->to - o->from, middle);
+    check__sum_add(&sum, around % 2 ? -l->area : l->area);
   }
   return sum.sum + sum.low;
 }
@@ -141,15 +177,14 @@ void check__area(Check *c, const CheckedFace *f, const CompensatedSum *elements,
 {
   if (!boundary_known(c, f->entity)) return;
   Loops loops = {0};
-  double size = 0;
-  find_loops(c, f, origin, &loops, &size);
-  double a = fabs(elements->sum + elements->low), b = fabs(area_less_holes(&loops, &size));
+  find_loops(c, f, origin, &loops);
+  double a = fabs(elements->sum + elements->low), b = fabs(area_less_holes(&loops));
   // Each term is right to a few ulps of the products in it: those of elements are of the order of their area, except for
   // slivers; those of the polygon of the order of distance times edge. 1e-12 leaves room for slivers of aspect 1000.
-  double tolerance = 1e-12 * fmax(elements->size, size);
-  if (fabs(a - b) > tolerance && loops.len > 1) b = fabs(area_of_parts(c, f, &loops));
+  double tolerance = 1e-12 * fmax(elements->size, loops.size);
+  if (fabs(a - b) > tolerance && loops.loop.len > 1) b = fabs(area_of_parts(c, f, &loops));
   if (fabs(a - b) > tolerance)
     check__report(c, RULE_AREA, false, check__on(f->entity),
                   "its elements add up to %.17g, its boundary encloses %.17g", a, b);
-  vec_free(&loops);
+  loops_free(&loops);
 }

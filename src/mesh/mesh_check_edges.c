@@ -4,20 +4,7 @@
 
 #include "mesh/mesh_check_int.h"
 
-static Vec3 middle(const Mesh *m, uint32_t a, uint32_t b)
-{
-  return vec3_scale(0.5, vec3_add(mesh_xyz(m, a), mesh_xyz(m, b)));
-}
-
 // ---- line elements ----------------------------------------------------------------------------------------------------------
-static uint32_t line_curve(const Check *c, uint32_t line) { return c->m->block[c->line_block.data[line]].entity; }
-
-static const uint32_t *line_nodes(const Check *c, uint32_t line)
-{
-  const MeshBlock *k = &c->m->block[c->line_block.data[line]];
-  return k->node + c->line_index.data[line] * (size_t)elem_nodes(k->type);
-}
-
 // Per entity: is it a curve that a face lists?
 static bool *listed_curves(const Mesh *m)
 {
@@ -54,13 +41,13 @@ static void gather_lines(Check *c, uint8_t *on_line)
       if (v[0] == v[1])
         check__report(c, RULE_DEGENERATE, false, (Place){k->entity, b, i, v[0], mesh_xyz(m, v[0])},
                       "both ends are node %llu", number_of(c, v[0]));
-      else if (!added && may_share(c, listed, k->entity, line_curve(c, *slot))) {
+      else if (!added && may_share(c, listed, k->entity, check__line_curve(c, *slot))) {
         if (listed[k->entity]) *slot = (uint32_t)c->line_block.len;
       } else if (!added)
-        check__report(c, RULE_DUPLICATE_ELEMENT, !c->strict && k->entity != line_curve(c, *slot),
-                      (Place){k->entity, b, i, NONE, middle(m, v[0], v[1])},
+        check__report(c, RULE_DUPLICATE_ELEMENT, !c->strict && k->entity != check__line_curve(c, *slot),
+                      (Place){k->entity, b, i, NONE, check__middle(m, v[0], v[1])},
                       "curve %d has a line between nodes %llu and %llu too",
-                      m->entity[line_curve(c, *slot)].tag, number_of(c, v[0]), number_of(c, v[1]));
+                      m->entity[check__line_curve(c, *slot)].tag, number_of(c, v[0]), number_of(c, v[1]));
       vec_push(&c->line_block, b);
       vec_push(&c->line_index, (uint32_t)i);
       on_line[v[0]] = on_line[v[1]] = 1;
@@ -70,16 +57,7 @@ static void gather_lines(Check *c, uint8_t *on_line)
 }
 
 // ---- half-edges ---------------------------------------------------------------------------------------------------------------
-typedef Vec(uint64_t) U64Vec;
-
-typedef struct {
-  U64Vec use;        // line << 32 | face, for every half-edge that lies on a line element
-  U64Vec boundary;   // map_pair of every half-edge without a twin
-  U32Vec half;       // those half-edges
-  uint8_t *on_line;
-} EdgeScan;
-
-static void scan_block(Check *c, EdgeScan *s, uint32_t b)
+static void scan_block(Check *c, CheckedEdges *s, uint32_t b)
 {
   const MeshBlock *k = &c->m->block[b];
   size_t corners = (size_t)elem_corners(k->type), nodes = (size_t)elem_nodes(k->type), h = c->edges.base[b];
@@ -140,7 +118,7 @@ static void check_bad_edges(Check *c)
         if (other && same_corners(k, i, &m->block[other->block], other->element))
           check__report(c, RULE_DUPLICATE_ELEMENT, false,
                         (Place){k->entity, b, i, NONE,
-                                middle(m, k->node[i * (size_t)elem_nodes(k->type)],
+                                check__middle(m, k->node[i * (size_t)elem_nodes(k->type)],
                                        k->node[i * (size_t)elem_nodes(k->type) + 1])},
                         "element %zu has the same corners", c->number[other->block] + other->element + 1);
         if (added) vec_push(&seen, ((HalfEdge){.block = b, .element = i}));
@@ -151,7 +129,7 @@ static void check_bad_edges(Check *c)
         map_slot(&edge, map_pair(e.a, e.b), 0, &added);
         if (added)
           check__report(
-              c, RULE_EDGE, false, (Place){k->entity, b, i, NONE, middle(m, e.a, e.b)},
+              c, RULE_EDGE, false, (Place){k->entity, b, i, NONE, check__middle(m, e.a, e.b)},
               "edge of nodes %llu and %llu has more than two elements, or two that run it the same way",
               number_of(c, e.a), number_of(c, e.b));
       }
@@ -160,123 +138,6 @@ static void check_bad_edges(Check *c)
   map_free(&edge);
   map_free(&element);
   vec_free(&seen);
-}
-
-// ---- lost edges -----------------------------------------------------------------------------------------------------------------
-static int u64_order(const void *x, const void *y)
-{
-  const uint64_t *a = x, *b = y;
-  return *a < *b ? -1 : *a > *b;
-}
-
-static void sort_u64(U64Vec *v)
-{
-  if (v->len) qsort(v->data, v->len, sizeof *v->data, u64_order);
-}
-
-static size_t count_of(const U64Vec *sorted, uint64_t x)
-{
-  size_t lo = 0, hi = sorted->len, n = 0;
-  while (lo < hi) {
-    size_t mid = (lo + hi) / 2;
-    if (sorted->data[mid] < x) lo = mid + 1; else hi = mid;
-  }
-  while (lo + n < sorted->len && sorted->data[lo + n] == x) n++;
-  return n;
-}
-
-static bool face_has_elements(const Check *c, uint32_t face)
-{
-  size_t lo = 0, hi = c->m->nblock; // first block of entity >= face
-  while (lo < hi) {
-    size_t mid = (lo + hi) / 2;
-    if (c->m->block[mid].entity < face) lo = mid + 1; else hi = mid;
-  }
-  return lo < c->m->nblock && c->m->block[lo].entity == face;
-}
-
-// Is this a mesh in parts of which some are elsewhere?
-static bool lacks_parts(const Mesh *m)
-{
-  bool *here = mem_zalloc(m->nparts * sizeof *here), lacks = false;
-  for (size_t b = 0; m->nparts && b < m->nblock; b++)
-    for (size_t i = 0; elem_dim(m->block[b].type) == 2 && i < m->block[b].n; i++)
-      here[m->block[b].part[i] - 1] = true;
-  for (uint32_t k = 0; k < m->nparts; k++) lacks = lacks || !here[k];
-  free(here);
-  return lacks;
-}
-
-// curve << 32 | face, once for each element of the face that each line of the curve must have: one per listing in the
-// boundary, two where the curve is embedded.
-static void wanted_uses(const Check *c, U64Vec *wanted)
-{
-  const Mesh *m = c->m;
-  if (lacks_parts(m)) return;
-  for (uint32_t f = 0; f < m->nentity; f++) {
-    const MeshEntity *t = &m->entity[f];
-    if (t->dim != 2 || !face_has_elements(c, f)) continue;
-    for (size_t i = 0; i < t->boundary.len + t->embedded.len; i++) {
-      bool embedded = i >= t->boundary.len;
-      uint32_t e = mesh_find_entity(m, 1, embedded ? abs(t->embedded.data[i - t->boundary.len]) : abs(t->boundary.data[i]));
-      for (int k = 0; e != NONE && k < 1 + embedded; k++) vec_push(wanted, (uint64_t)e << 32 | f);
-    }
-  }
-  sort_u64(wanted);
-}
-
-// 2 marks the nodes of surface elements.
-static void mark_surface_nodes(Check *c)
-{
-  const Mesh *m = c->m;
-  for (size_t b = 0; b < m->nblock; b++)
-    if (elem_dim(m->block[b].type) == 2)
-      for (size_t i = 0; i < m->block[b].n * (size_t)elem_nodes(m->block[b].type); i++) c->used[m->block[b].node[i]] = 2;
-}
-
-static void check_lost(Check *c, EdgeScan *s)
-{
-  bool marked = false; // most meshes have no lines that lie loose
-  const Mesh *m = c->m;
-  U64Vec wanted = {0};
-  wanted_uses(c, &wanted);
-  sort_u64(&s->use);
-  for (uint32_t l = 0; l < c->line_block.len; l++) {
-    uint32_t curve = line_curve(c, l);
-    const uint32_t *v = line_nodes(c, l);
-    size_t k = 0, hi = wanted.len;
-    while (k < hi) {
-      size_t mid = (k + hi) / 2;
-      if (wanted.data[mid] < (uint64_t)curve << 32) k = mid + 1; else hi = mid;
-    }
-    bool listed = k < wanted.len && wanted.data[k] >> 32 == curve;
-    for (size_t n; k < wanted.len && wanted.data[k] >> 32 == curve; k += n) {
-      uint32_t face = (uint32_t)wanted.data[k];
-      n = count_of(&wanted, wanted.data[k]);
-      size_t has = count_of(&s->use, (uint64_t)l << 32 | face);
-      if (has < n)
-        check__report(
-            c, RULE_LOST_EDGE, false,
-            (Place){curve, c->line_block.data[l], c->line_index.data[l], NONE, middle(m, v[0], v[1])},
-            "it is an edge of %zu elements of face %d, not of %zu: nodes %llu and %llu", has,
-            m->entity[face].tag, n, number_of(c, v[0]), number_of(c, v[1]));
-    }
-    if (listed || c->strict || c->edges.n == 0) continue; // curves that no face lists are known to be free
-    size_t lo = 0, up = s->use.len; // any use of this line at all?
-    while (lo < up) {
-      size_t mid = (lo + up) / 2;
-      if (s->use.data[mid] < (uint64_t)l << 32) lo = mid + 1; else up = mid;
-    }
-    bool free_line = !(lo < s->use.len && s->use.data[lo] >> 32 == l);
-    if (free_line && !marked) mark_surface_nodes(c);
-    marked |= free_line;
-    if (free_line && c->used[v[0]] == 2 && c->used[v[1]] == 2)
-      check__report(c, RULE_LOST_EDGE, true,
-                    (Place){curve, c->line_block.data[l], c->line_index.data[l], NONE, middle(m, v[0], v[1])},
-                    "it is no edge of a surface element: nodes %llu and %llu", number_of(c, v[0]),
-                    number_of(c, v[1]));
-  }
-  vec_free(&wanted);
 }
 
 // ---- holes ------------------------------------------------------------------------------------------------------------------------
@@ -306,7 +167,7 @@ static bool bounds(const MeshEntity *face, int curve)
   return face->boundary.len == 0;
 }
 
-static void check_holes(Check *c, const EdgeScan *s)
+static void check_holes(Check *c, const CheckedEdges *s)
 {
   const Mesh *m = c->m;
   bool *closed = closed_faces(c);
@@ -315,12 +176,12 @@ static void check_holes(Check *c, const EdgeScan *s)
     uint32_t face = m->block[e.block].entity, line = map_get(&c->line, s->boundary.data[i]);
     if (!closed[face]) continue;
     if (line == NONE)
-      check__report(c, RULE_HOLE, false, (Place){face, e.block, e.element, NONE, middle(m, e.a, e.b)},
+      check__report(c, RULE_HOLE, false, (Place){face, e.block, e.element, NONE, check__middle(m, e.a, e.b)},
                     "nothing is beyond the edge of nodes %llu and %llu, which is on no curve",
                     number_of(c, e.a), number_of(c, e.b));
-    else if (!bounds(&m->entity[face], m->entity[line_curve(c, line)].tag))
-      check__report(c, RULE_HOLE, false, (Place){face, e.block, e.element, NONE, middle(m, e.a, e.b)},
-                    "it ends at curve %d, which does not bound it", m->entity[line_curve(c, line)].tag);
+    else if (!bounds(&m->entity[face], m->entity[check__line_curve(c, line)].tag))
+      check__report(c, RULE_HOLE, false, (Place){face, e.block, e.element, NONE, check__middle(m, e.a, e.b)},
+                    "it ends at curve %d, which does not bound it", m->entity[check__line_curve(c, line)].tag);
   }
   free(closed);
 }
@@ -405,7 +266,7 @@ static uint32_t node_within(const Grid *g, uint32_t p, uint32_t q)
 typedef struct {
   HalfEdge edge;
   uint32_t node;
-  bool line;   // the edge is a line element of a curve
+  bool line;   // the edge is on a curve
   bool inside; // the node is one of the face's own
 } Junction;
 typedef Vec(Junction) JunctionVec;
@@ -414,6 +275,27 @@ typedef struct {
   const Mesh *m;
   JunctionVec *found;
 } Junctions;
+
+static bool is_on_curve(const Mesh *m, uint32_t node, const MeshEntity *curve)
+{
+  const MeshEntity *at = &m->entity[m->node_entity[node]];
+  bool ends = false;
+  for (size_t i = 0; at->dim == 0 && i < curve->boundary.len; i++) ends |= abs(curve->boundary.data[i]) == at->tag;
+  return at == curve || ends;
+}
+
+// Does the edge lie on a curve: is there a line, or, since files may leave out lines, are both its nodes on one that bounds its face?
+static bool is_on_curve_of_face(const Check *c, const HalfEdge *e)
+{
+  const Mesh *m = c->m;
+  const MeshEntity *face = &m->entity[m->block[e->block].entity];
+  bool found = map_get(&c->line, map_pair(e->a, e->b)) != NONE;
+  for (size_t i = 0; !found && i < face->boundary.len; i++) {
+    uint32_t k = mesh_find_entity(m, 1, abs(face->boundary.data[i]));
+    found = k != NONE && is_on_curve(m, e->a, &m->entity[k]) && is_on_curve(m, e->b, &m->entity[k]);
+  }
+  return found;
+}
 
 // Which nodes are in the face of the edge they lie in.
 static void find_own_nodes(void *ctx, uint32_t face, const uint32_t *stamp)
@@ -441,7 +323,7 @@ static void report_junctions(Check *c, JunctionVec *found)
   }
 }
 
-static void check_junctions(Check *c, EdgeScan *s)
+static void check_junctions(Check *c, CheckedEdges *s)
 {
   const Mesh *m = c->m;
   // Edges that two faces share are no boundary of their union.
@@ -449,9 +331,9 @@ static void check_junctions(Check *c, EdgeScan *s)
   U32Vec alone = {0};
   vec_reserve(&sorted, s->boundary.len);
   for (size_t i = 0; i < s->boundary.len; i++) vec_push(&sorted, s->boundary.data[i]);
-  sort_u64(&sorted);
+  check__sort(&sorted);
   for (size_t i = 0; i < s->half.len; i++)
-    if (count_of(&sorted, s->boundary.data[i]) == 1) vec_push(&alone, s->half.data[i]);
+    if (check__count(&sorted, s->boundary.data[i]) == 1) vec_push(&alone, s->half.data[i]);
   vec_free(&sorted);
   JunctionVec found = {0};
   if (alone.len) {
@@ -460,7 +342,7 @@ static void check_junctions(Check *c, EdgeScan *s)
     for (size_t i = 0; i < alone.len; i++) {
       HalfEdge e = mesh_edges_at(&c->edges, m, alone.data[i]);
       uint32_t v = node_within(&g, e.a, e.b);
-      if (v != NONE) vec_push(&found, ((Junction){.edge = e, .node = v, .line = map_get(&c->line, map_pair(e.a, e.b)) != NONE}));
+      if (v != NONE) vec_push(&found, ((Junction){.edge = e, .node = v, .line = is_on_curve_of_face(c, &e)}));
     }
     vec_free(&g.node);
     vec_free(&g.next);
@@ -474,12 +356,12 @@ static void check_junctions(Check *c, EdgeScan *s)
 void check__conformity(Check *c)
 {
   const Mesh *m = c->m;
-  EdgeScan s = {.on_line = mem_zalloc(m->nnode)};
+  CheckedEdges s = {.on_line = mem_zalloc(m->nnode)};
   gather_lines(c, s.on_line);
   for (uint32_t b = 0; b < m->nblock; b++)
     if (elem_dim(m->block[b].type) == 2) scan_block(c, &s, b);
   check_bad_edges(c);
-  check_lost(c, &s);
+  check__lost(c, &s);
   check_holes(c, &s);
   if (!c->r->count[RULE_COORDINATE]) check_junctions(c, &s);
   free(s.on_line);

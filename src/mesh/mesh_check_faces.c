@@ -90,10 +90,8 @@ static void check_elements(Check *c, const CheckedFace *f, CompensatedSum *area)
       const uint32_t *v = k->node + i * (size_t)nodes;
       for (int a = 0; a < corners; a++) check__project(c, f, v[a], p[a]);
       check_element(c, f, b, i, p, corners);
-      const double *q = p[corners - 1];
-      double t = (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]);
-      if (corners == 4) t += (p[2][0] - p[0][0]) * (q[1] - p[0][1]) - (p[2][1] - p[0][1]) * (q[0] - p[0][0]);
-      check__sum_add(area, t / 2);
+      for (int a = 1; a + 1 < corners; a++)
+        check__add_cross(area, (double[]){p[a][0] - p[0][0], p[a][1] - p[0][1]}, (double[]){p[a + 1][0] - p[0][0], p[a + 1][1] - p[0][1]});
     }
   }
 }
@@ -106,19 +104,6 @@ static void check_flat(Check *c, const CheckedFace *f)
       if (mesh_size_of(c->m, &c->m->block[b], i, (Vec3){0, 0, 0}) == 0)
         check__report(c, RULE_DEGENERATE, false,
                       (Place){f->entity, b, i, NONE, mesh_center(c->m, &c->m->block[b], i)}, "its area is 0");
-}
-
-// Times the curve is listed in the boundary of the face, and the sum of its signs.
-static int times_listed(const MeshEntity *f, int curve, int *sign)
-{
-  int n = 0;
-  *sign = 0;
-  for (size_t i = 0; i < f->boundary.len; i++)
-    if (abs(f->boundary.data[i]) == curve) {
-      n++;
-      *sign += f->boundary.data[i] < 0 ? -1 : 1;
-    }
-  return n;
 }
 
 // ---- Euler characteristic ---------------------------------------------------------------------------------------------------
@@ -147,16 +132,18 @@ static uint32_t local_index(Map *map, uint64_t key)
   return *map_slot(map, key, (uint32_t)map->len, &added);
 }
 
-// Cycles of the bounding curves as a graph of points; a curve listed both ways is within the face and bounds nothing.
+// Cycles of the bounding curves as a graph of points; a curve listed twice is within the face, or between holes, and bounds nothing.
 // SIZE_MAX if the ends of a curve are not known.
 static size_t curve_cycles(const Check *c, const MeshEntity *f)
 {
-  Map map = {0};
+  Map map = {0}, odd = {0};
   U32Vec pair = {0};
   bool known = true;
+  for (size_t i = 0; i < f->boundary.len; i++) *map_slot(&odd, (uint64_t)abs(f->boundary.data[i]), 0, NULL) ^= 1;
   for (size_t i = 0; i < f->boundary.len && known; i++) {
-    int sign, n = times_listed(f, abs(f->boundary.data[i]), &sign);
-    if (n > 1 && sign == 0) continue;
+    uint32_t *counts = map_slot(&odd, (uint64_t)abs(f->boundary.data[i]), 0, NULL);
+    if (!*counts) continue;
+    *counts = 0; // once
     uint32_t e = mesh_find_entity(c->m, 1, abs(f->boundary.data[i]));
     const IntVec *ends = e == NONE ? NULL : &c->m->entity[e].boundary;
     known = ends && (ends->len == 2 || ends->len == 1);
@@ -166,6 +153,7 @@ static size_t curve_cycles(const Check *c, const MeshEntity *f)
   }
   size_t n = known ? cycles(&pair, map.len) : SIZE_MAX;
   map_free(&map);
+  map_free(&odd);
   vec_free(&pair);
   return n;
 }

@@ -26,6 +26,16 @@ typedef struct {
 // Call body for each face with a stamp for each node, which is the face where an element of the face has the node.
 void check__stamp_faces(const Check *c, void (*body)(void *ctx, uint32_t face, const uint32_t *stamp), void *ctx);
 
+typedef Vec(uint64_t) U64Vec;
+
+// Where line elements are among the edges of elements, and the edges that one element alone has.
+typedef struct {
+  U64Vec use;        // line << 32 | face, for every half-edge that lies on a line element
+  U64Vec boundary;   // map_pair of every half-edge without a twin
+  U32Vec half;       // those half-edges
+  uint8_t *on_line;
+} CheckedEdges;
+
 // A face that is looked at.
 typedef struct {
   uint32_t entity, first, last;  // blocks first .. last-1
@@ -48,6 +58,15 @@ static inline void check__sum_add(CompensatedSum *s, double x)
   s->size += fabs(x);
 }
 
+// Adds half of a x b. The products are right to half an ulp, so that `size` counts a thousandth of them at least: more would be
+// blamed on slivers than they can help.
+static inline void check__add_cross(CompensatedSum *s, const double a[2], const double b[2])
+{
+  double x = a[0] * b[1], y = a[1] * b[0], t = (x - y) / 2, size = s->size;
+  check__sum_add(s, t);
+  s->size = size + fmax(fabs(t), 0.5e-3 * (fabs(x) + fabs(y)));
+}
+
 static inline void check__project(const Check *c, const CheckedFace *f, uint32_t node, double p[2])
 {
   p[0] = c->m->xyz[3 * (size_t)node + (size_t)f->i];
@@ -68,6 +87,25 @@ void check__report(Check *c, MeshRule rule, bool warning, Place where, const cha
 void check__area(Check *c, const CheckedFace *f, const CompensatedSum *elements, const double origin[2]);
 void check__faces(Check *c);      // orientation, area, Euler characteristic
 void check__conformity(Check *c); // edges, lost edges, holes, T-junctions
+
+// Line elements that should be edges of a face and are not. Sorts s->use.
+void check__lost(Check *c, CheckedEdges *s);
+void check__sort(U64Vec *v);
+size_t check__count(const U64Vec *sorted, uint64_t x);
+
+static inline Vec3 check__middle(const Mesh *m, uint32_t a, uint32_t b)
+{
+  return vec3_scale(0.5, vec3_add(mesh_xyz(m, a), mesh_xyz(m, b)));
+}
+
+// Of a line element, as an index over all of them: the entity it is on, and its nodes.
+static inline uint32_t check__line_curve(const Check *c, uint32_t line) { return c->m->block[c->line_block.data[line]].entity; }
+
+static inline const uint32_t *check__line_nodes(const Check *c, uint32_t line)
+{
+  const MeshBlock *k = &c->m->block[c->line_block.data[line]];
+  return k->node + c->line_index.data[line] * (size_t)elem_nodes(k->type);
+}
 
 // The number of a node in messages: that in its file.
 static inline unsigned long long number_of(const Check *c, uint32_t node) { return mesh_node_number(c->m, node); }

@@ -80,7 +80,7 @@ static void draw_nearer(Splitter *s)
         uint32_t edge[4];
         double most = 0;
         for (size_t j = 0; j < c; j++) {
-          edge[j] = edge_table_find(&s->table, v[j], v[(j + 1) % c]);
+          edge[j] = edge_table_find(&s->table, k->entity, v[j], v[(j + 1) % c]);
           most = fmax(most, s->share[edge[j]]);
         }
         if (!(most > 0) || !has_bad_part(s, v, edge, c)) continue;
@@ -136,7 +136,10 @@ static size_t place_nodes(Splitter *s, const Model *model)
   return straightened;
 }
 
-static uint32_t middle(const Splitter *s, uint32_t a, uint32_t b) { return enriched_at(&s->e, &s->table, 1, a, b, 0); }
+static uint32_t middle(const Splitter *s, uint32_t entity, uint32_t a, uint32_t b)
+{
+  return enriched_at(&s->e, &s->table, 1, entity, a, b, 0);
+}
 
 static uint32_t *add_block(Splitter *s, const MeshBlock *from, ElemType type, size_t parts)
 {
@@ -187,17 +190,18 @@ static uint32_t *split_about_centres(const Splitter *s, const MeshBlock *from, c
       if (s->how == SUBDIVIDE_BARYCENTRIC)
         to = put3(to, s->e.node[here], s->e.node[next], cell[k]);
       else
-        to = put4(to, s->e.node[here], middle(s, here, next), cell[k], middle(s, before, here));
+        to = put4(to, s->e.node[here], middle(s, from->entity, here, next), cell[k], middle(s, from->entity, before, here));
     }
   return to;
 }
 
 static void halve_triangles(Splitter *s, const MeshBlock *from)
 {
+  const uint32_t f = from->entity;
   uint32_t *to = add_block(s, from, ELEM_TRI3, 4);
   for (size_t k = 0; k < from->n; k++) {
     const uint32_t *v = from->node + 3 * k, *id = s->e.node;
-    uint32_t ab = middle(s, v[0], v[1]), bc = middle(s, v[1], v[2]), ca = middle(s, v[2], v[0]);
+    uint32_t ab = middle(s, f, v[0], v[1]), bc = middle(s, f, v[1], v[2]), ca = middle(s, f, v[2], v[0]);
     to = put3(to, id[v[0]], ab, ca);
     to = put3(to, ab, id[v[1]], bc);
     to = put3(to, ca, bc, id[v[2]]);

@@ -52,7 +52,7 @@ static inline double quad__skew_energy(double s)
   return 4 / (3.14159265358979323846 * 3.14159265358979323846) * s * (1 + s * (1.0 / 3 + s * (8.0 / 45 + s * (4.0 / 35))));
 }
 
-// Exact: every corner of the element turns left.
+// Every corner of the element turns left: of a triangle exactly, of a quadrangle by more than its coordinates are rounded.
 bool quad__convex(const Vec2 *xy, const uint32_t *corner);
 
 // The linear size, but never less than half or more than twice what it is at its vertex.

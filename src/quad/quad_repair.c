@@ -25,13 +25,14 @@ static const uint32_t *element(const Repair *r, uint32_t e) { return &r->d.m->ve
 
 static bool is_triangle(const Repair *r, uint32_t e) { return element(r, e)[0] != NONE && element(r, e)[3] == NONE; }
 
-// The index in v of the edge that w runs the other way; NONE if there is none.
-static uint32_t shared_side(const uint32_t *v, const uint32_t *w)
+// The index in v of the free edge that w runs the other way; NONE if there is none. At the loose end of an embedded curve two elements
+// share two edges, of which one is locked.
+static uint32_t shared_side(const QuadEdit *d, const uint32_t *v, const uint32_t *w)
 {
   uint32_t n = corners(v), k = corners(w);
   for (uint32_t i = 0; i < n; i++)
     for (uint32_t j = 0; j < k; j++)
-      if (v[i] == w[(j + 1) % k] && v[(i + 1) % n] == w[j]) return i;
+      if (v[i] == w[(j + 1) % k] && v[(i + 1) % n] == w[j] && !quad__is_locked(d, v[i], w[j])) return i;
   return NONE;
 }
 
@@ -82,9 +83,10 @@ static bool search_ways(Repair *r, uint32_t t, bool (*attempt)(Repair *))
 
 // The triangle t and the quad q share an edge: make of them a quad (at t) and a triangle (at q) that has the edge of q towards `next`.
 // False if no valid way exists.
-static bool step_triangle(const Vec2 *xy, uint32_t *t, uint32_t *q, const uint32_t *next)
+static bool step_triangle(const QuadEdit *d, uint32_t *t, uint32_t *q, const uint32_t *next)
 {
-  uint32_t s = shared_side(t, q), w = shared_side(q, t), o = shared_side(q, next), p[5], best = NONE;
+  const Vec2 *xy = d->m->xy.data;
+  uint32_t s = shared_side(d, t, q), w = shared_side(d, q, t), o = shared_side(d, q, next), p[5], best = NONE;
   if (s == NONE || o == NONE || o == w) return false;
   p[0] = t[(s + 2) % 3];
   for (uint32_t i = 0; i < 4; i++) p[1 + i] = q[(w + 1 + i) % 4];
@@ -105,19 +107,18 @@ static bool step_triangle(const Vec2 *xy, uint32_t *t, uint32_t *q, const uint32
   return true;
 }
 
-static bool join_triangles(const Vec2 *xy, uint32_t *t, uint32_t *u)
+static bool join_triangles(const QuadEdit *d, uint32_t *t, uint32_t *u)
 {
-  uint32_t s = shared_side(t, u), w = shared_side(u, t);
+  uint32_t s = shared_side(d, t, u), w = shared_side(d, u, t);
   if (s == NONE || w == NONE) return false;
   uint32_t q[4] = {t[s], u[(w + 2) % 3], t[(s + 1) % 3], t[(s + 2) % 3]};
-  if (!quad__convex(xy, q)) return false;
+  if (!quad__convex(d->m->xy.data, q)) return false;
   for (uint32_t i = 0; i < 4; i++) t[i] = q[i], u[i] = NONE;
   return true;
 }
 
 static bool move_along(Repair *r)
 {
-  const Vec2 *xy = r->d.m->xy.data;
   const uint32_t *path = r->path.data;
   size_t n = r->path.len;
   if (n > LONGEST) return false;
@@ -125,8 +126,8 @@ static bool move_along(Repair *r)
   uint32_t *c = r->corner.data;
   for (size_t i = 0; i < n; i++) memcpy(&c[4 * i], element(r, path[i]), 4 * sizeof *c);
   for (size_t i = 0; i + 2 < n; i++)
-    if (!step_triangle(xy, &c[4 * i], &c[4 * i + 4], &c[4 * i + 8])) return false;
-  if (!join_triangles(xy, &c[4 * n - 8], &c[4 * n - 4]) || !quad__has_room(&r->d, path, c, n)) return false;
+    if (!step_triangle(&r->d, &c[4 * i], &c[4 * i + 4], &c[4 * i + 8])) return false;
+  if (!join_triangles(&r->d, &c[4 * n - 8], &c[4 * n - 4]) || !quad__has_room(&r->d, path, c, n)) return false;
   quad__replace(&r->d, path, c, n);
   return true;
 }
@@ -211,7 +212,7 @@ static bool row_lay(Repair *r, Row *w)
     memcpy(v, element(r, e), sizeof v);
     for (uint32_t k = 0; k < corners(v); k++) row_vertex(r, w, v[k]);
     if (i + 1 < r->path.len) {
-      out = shared_side(v, element(r, r->path.data[i + 1]));
+      out = shared_side(&r->d, v, element(r, r->path.data[i + 1]));
       uint32_t ends[2] = {v[out], v[(out + 1) % corners(v)]};
       Vec2 p = vec2_scale(0.5, vec2_add(r->d.m->xy.data[ends[0]], r->d.m->xy.data[ends[1]]));
       next = quad__edit_add_vertex(&r->d, p, ends, 2);

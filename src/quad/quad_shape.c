@@ -5,6 +5,8 @@
 #include "quad/lanes.h"
 #include "quad/quad_int.h"
 
+#include <float.h>
+
 static const double PI = 3.14159265358979323846;
 
 // Of the corner between u and w of a triangle: sin^2 of 3/2 times how far it is from 60 degrees, as cos 3x = 4 cos^3 x - 3 cos x.
@@ -102,10 +104,21 @@ double quad__shape(const Vec2 *xy, const uint32_t *v)
   return skew <= 1 ? 1 - 2 / PI * asin(sqrt(skew)) : skew <= 2 ? -(1 - 2 / PI * asin(sqrt(2 - skew))) : -1;
 }
 
+// Corners of quadrangles are held farther from flat than coordinates are rounded, or what comes after, such as halving, may fold them:
+// 8 ulps of the largest coordinate times the longer side. That is more than the error of the area, since sides are at most 2 sqrt(2) times
+// as long as coordinates are large.
+static bool turns_left(Vec2 a, Vec2 b, Vec2 c)
+{
+  Vec2 u = vec2_sub(b, a), w = vec2_sub(c, b);
+  double size = fmax(fmax(fmax(fabs(a.x), fabs(a.y)), fmax(fabs(b.x), fabs(b.y))), fmax(fabs(c.x), fabs(c.y)));
+  double side = fmax(fabs(u.x) + fabs(u.y), fabs(w.x) + fabs(w.y));
+  return vec2_cross(u, w) > 8 * DBL_EPSILON * size * side;
+}
+
 bool quad__convex(const Vec2 *xy, const uint32_t *v)
 {
-  int n = v[3] == NONE ? 3 : 4;
-  for (int i = 0; i < n; i++)
-    if (orient2d(&xy[v[i]].x, &xy[v[(i + 1) % n]].x, &xy[v[(i + 2) % n]].x) <= 0) return false;
+  if (v[3] == NONE) return orient2d(&xy[v[0]].x, &xy[v[1]].x, &xy[v[2]].x) > 0;
+  for (int i = 0; i < 4; i++)
+    if (!turns_left(xy[v[i]], xy[v[(i + 1) % 4]], xy[v[(i + 2) % 4]])) return false;
   return true;
 }

@@ -24,6 +24,9 @@ typedef enum {
   REFINE_CANCELLED, // the callback said so: a valid mesh, unfinished
 } RefineOutcome;
 
+// Angles between segments under this, in radians, are input angles that min_angle cannot mend: 60 degrees, and what rounding may add.
+#define REFINE_ACUTE 1.0472
+
 // A triangle left below min_angle, and the vertex where segments meet at under 60 degrees that is the cause; NONE: something else,
 // such as a segment that must stay whole.
 typedef struct {

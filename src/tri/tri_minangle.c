@@ -108,7 +108,7 @@ static void find_acute(MinAngle *q)
     first = e;
     do {
       double angle = tri_wedge(m, &e); // outside does not matter: it is infinite there
-      int how = angle < 1.0472 ? MEET_ACUTE : angle < 2.1 ? MEET_SHELLS : MEET_WIDE;
+      int how = angle < REFINE_ACUTE ? MEET_ACUTE : angle < 2.1 ? MEET_SHELLS : MEET_WIDE;
       if (how > q->meet[v]) q->meet[v] = (uint8_t)how;
     } while (e != first);
   }
@@ -206,7 +206,7 @@ static bool split_segment(MinAngle *q, EdgeId e)
 // ---- skinny triangles ----------------------------------------------------------------------------------------------
 
 // Do u and v, of which neither or one is an input vertex, lie on two segments that meet at an acute input vertex, at one distance
-// from it? Then their distance is the input's doing. That vertex, or NONE.
+// from it, and under 60 degrees from each other? Then their distance is the input's doing. That vertex, or NONE.
 static VertId shell_centre(const MinAngle *q, VertId u, VertId v)
 {
   if (is_given(q, u) || is_given(q, v) || q->from.data[u] == NONE || q->from.data[v] == NONE) return NONE;
@@ -215,7 +215,7 @@ static VertId shell_centre(const MinAngle *q, VertId u, VertId v)
     for (int j = 0; j < 2; j++) {
       if (eu[i] != ev[j] || eu[1 - i] == ev[1 - j] || q->meet[eu[i]] != MEET_ACUTE) continue;
       double a = dist(q->r->m, eu[i], u), b = dist(q->r->m, eu[i], v);
-      if (fabs(a - b) < 1e-3 * a) return eu[i];
+      if (fabs(a - b) < 1e-3 * a && dist(q->r->m, u, v) < 1.001 * a) return eu[i];
     }
   return NONE;
 }

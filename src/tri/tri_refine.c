@@ -265,13 +265,34 @@ bool refine__go_on(Refiner *r)
 
 // ---- entry -------------------------------------------------------------------------------------------------------
 
-TriRefineStats tri_refine(Tri *m, const TriRefineParams *p)
+// Split segments to conform. What *p says of each initial vertex says nothing of the new ones; *near and *size are for the caller to free.
+static void conform(Refiner *r, TriRefineParams *p, uint32_t **near, double **size)
 {
+  VertId initial = r->m->nv, nv;
+  refine__conform(r);
+  nv = r->m->nv;
+  if (p->cross_near) {
+    *near = mem_alloc((nv + 1) * sizeof **near);
+    for (VertId v = 0; v < nv; v++) (*near)[v] = v < initial ? p->cross_near[v] : NONE;
+    p->cross_near = *near;
+  }
+  if (p->vertex_size) {
+    *size = mem_alloc((nv + 1) * sizeof **size);
+    for (VertId v = 0; v < nv; v++) (*size)[v] = v < initial ? p->vertex_size[v] : INFINITY;
+    p->vertex_size = *size;
+  }
+}
+
+TriRefineStats tri_refine(Tri *m, const TriRefineParams *params)
+{
+  TriRefineParams own = *params, *p = &own;
+  uint32_t *near = NULL;
+  double *vertex_size = NULL;
   TriRefineStats stats = {.outcome = REFINE_DONE};
   if (m->dim != 2) return stats;
   size_t cap = p->max_triangles ? p->max_triangles / 2 : TRI_MAX_VERTICES;
   Refiner r = {.m = m, .p = p, .stats = &stats, .max_vertices = MIN(cap, (size_t)TRI_MAX_VERTICES)};
-  if (p->conforming) refine__conform(&r);
+  if (p->conforming) conform(&r, p, &near, &vertex_size);
   VertId given = m->nv;
   refine__make_mesh(&r, given);
   if (p->min_angle > 0 && stats.outcome == REFINE_DONE) {
@@ -284,5 +305,7 @@ TriRefineStats tri_refine(Tri *m, const TriRefineParams *p)
     r.size = NULL;
   }
   refine__release(&r);
+  free(near);
+  free(vertex_size);
   return stats;
 }

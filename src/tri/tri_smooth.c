@@ -99,6 +99,7 @@ bool refine__relocate(Refiner *r, VertId v)
   const double x = r->m->xy[2 * (size_t)v], y = r->m->xy[2 * (size_t)v + 1];
   if (!star_gather(r, v, &s)) return false;
   Worth w = worth(&s, x, y, r->size[v], each);
+  if (!(w.worst < INFINITY)) return false; // flat but for rounding: it would weigh more than any place can bear
   ideal(&s, r->size[v], each, p);
   double limit = w.worst > r->floor ? w.worst : r->floor;
   for (int k = 0; k < 2; k++) {

@@ -49,4 +49,16 @@ same "MeshAlgorithm does what -algo does" a.msh c.msh
 exits 0 "algorithm 11 is replaced" "$MESHGEN" -2 square.geo -algo 11 -no_report -o d.msh
 says "Frontal-Delaunay for quads is used" "and that is said"
 same "by 8" a.msh d.msh
+# a sliver needs no mesh of good triangles, as many as it is longer than wide, for its field
+for w in 1e-3 1e-7; do
+  cat >sliver.geo <<END
+h = 0.1; w = $w;
+Point(1) = {0, 0, 0, h}; Point(2) = {1, 0, 0, h}; Point(3) = {1, w, 0, h}; Point(4) = {0, w, 0, h};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1:4}; Plane Surface(1) = {1};
+END
+  for a in 8 9; do
+    exits 0 "algorithm $a: a sliver of 1 by $w" "$MESHGEN" -2 sliver.geo -algo $a -setnumber Mesh.RecombineAll 1 -max_memory 200 -o s.msh
+  done
+done
 echo "1..$count"

@@ -33,6 +33,35 @@ Plane Surface(1) = {1};
 END
 all_ways slit 3.999999999 4.000000001
 
+# a loop that runs along a slit to a hole, round it one way or the other, and back; its second part touches the first at corners
+for way in "7, 8, 9" "-9, -8, -7"; do
+  cat >bridge.geo <<END
+Point(1) = {0, 0, 0, 0.2}; Point(2) = {2, 0, 0, 0.2}; Point(3) = {2, 2, 0, 0.2}; Point(4) = {0, 2, 0, 0.2}; Point(6) = {1, 0, 0, 0.2};
+Point(5) = {1, 0.5, 0, 0.05}; Point(7) = {1.5, 1, 0, 0.2}; Point(8) = {0.5, 1, 0, 0.2}; Point(9) = {1.5, 1.8, 0, 0.2}; Point(10) = {0.5, 1.8, 0, 0.2};
+Line(1) = {1, 6}; Line(2) = {6, 2}; Line(3) = {2, 3}; Line(4) = {3, 4}; Line(5) = {4, 1}; Line(6) = {6, 5};
+Line(7) = {5, 7}; Line(8) = {7, 8}; Line(9) = {8, 5}; Line(10) = {7, 9}; Line(11) = {9, 8}; Line(12) = {3, 9}; Line(13) = {9, 10}; Line(14) = {10, 3};
+Curve Loop(1) = {1, 6, $way, -6, 2, 3, 4, 5}; Curve Loop(2) = {10, 11, -8}; Curve Loop(3) = {12, 13, 14};
+Plane Surface(1) = {1, 2, 3};
+END
+  all_ways bridge 3.249999999 3.250000001
+done
+
+# holes that have a side in common, one of them the outer loop's too, each filled by a face
+cat >holes.geo <<'END'
+h = 0.3;
+Point(1) = {0, 0, 0, h}; Point(2) = {3, 0, 0, h}; Point(3) = {3, 2, 0, h}; Point(4) = {0, 2, 0, h}; Point(5) = {0.5, 0.5, 0, h}; Point(6) = {1.5, 0.5, 0, h};
+Point(7) = {3, 0.5, 0, h}; Point(8) = {3, 1.5, 0, h}; Point(9) = {1.5, 1.5, 0, h / 3}; Point(10) = {0.5, 1.5, 0, h};
+Line(1) = {1, 2}; Line(2) = {2, 7}; Line(3) = {7, 8}; Line(4) = {8, 3}; Line(5) = {3, 4}; Line(6) = {4, 1};
+Line(7) = {5, 6}; Line(8) = {6, 9}; Line(9) = {9, 10}; Line(10) = {10, 5}; Line(11) = {6, 7}; Line(12) = {8, 9};
+Curve Loop(1) = {1:6}; Curve Loop(2) = {7:10}; Curve Loop(3) = {11, 3, 12, -8}; Curve Loop(4) = {8, -12, -3, -11};
+Plane Surface(1) = {1, 2, 3}; Plane Surface(2) = {2}; Plane Surface(3) = {4};
+END
+all_ways holes 5.999999999 6.000000001
+sed -i 's/Plane Surface(1) = {1, 2, 3}; .*/Plane Surface(1) = {1, 2, 4};/' holes.geo
+exits 0 "holes with a side in common" "$MESHGEN" -2 holes.geo -order 2 -require "area>3.499999999" -require "area<3.500000001" -format msh4 -o holes.msh
+case $err in *warning*) not_ok "are no reason for a warning" "$err" ;; *) ok "are no reason for a warning" ;; esac
+exits 0 "and pass the audit when read back" "$MESHGEN" check holes.msh
+
 # faces within holes of faces
 cat >islands.geo <<'END'
 SetFactory("Built-in");
@@ -141,6 +170,47 @@ Line(5) = {1, 2}; Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) 
 Curve Loop(1) = {5, 2, 3, 4}; Plane Surface(1) = {1};
 G
 exits 0 "a side defined three times, of one edge each" "$MESHGEN" -2 doubled.geo -o doubled.msh
+
+cat >crack.geo <<'G'
+Point(1) = {0, 0, 0, 9}; Point(2) = {1, 0, 0, 9}; Point(3) = {1, 1, 0, 9}; Point(4) = {0, 1, 0, 9}; Point(5) = {0, -1, 0, 9};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1}; Line(5) = {2, 1}; Line(6) = {1, 5}; Line(7) = {5, 2};
+Curve Loop(1) = {1:4}; Curve Loop(2) = {6, 7, 5}; Plane Surface(1) = {1}; Plane Surface(2) = {2};
+G
+exits 0 "a crack of one edge on either side opens" "$MESHGEN" -2 crack.geo -require "nodes==8" -o crack.msh
+printf 'MeshSize{:} = 0.4; Transfinite Curve{1} = 4; Transfinite Curve{5} = 6; Physical Surface(1) = {1, 2};' >>crack.geo
+exits 0 "a crack with other nodes on either side" "$MESHGEN" -2 crack.geo -o crack.msh
+exits 0 "it is seen as one where its lines are not in the file" "$MESHGEN" check crack.msh
+prints "not joined to it" "with a warning"
+
+# ---- embedded curves on the boundary, and outside, with a smallest angle ----
+cat >rim.geo <<'G'
+h = 0.3; Point(1) = {0, 0, 0, h}; Point(2) = {1, 0, 0, h}; Point(3) = {1, 1, 0, h}; Point(4) = {0, 1, 0, h}; Point(5) = {1.5, 0.5, 0, h};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1}; Curve Loop(1) = {1:4}; Plane Surface(1) = {1};
+Line(5) = {2, 1}; Line(6) = {1, 3}; Curve{5, 6} In Surface{1}; Coherence;
+G
+exits 0 "an embedded curve that Coherence makes a side" "$MESHGEN" -2 rim.geo -o rim.msh
+echo 'Line(7) = {2, 5}; Curve{7} In Surface{1};' >>rim.geo
+exits 1 "an embedded curve that is outside, with a smallest angle" "$MESHGEN" -2 rim.geo -min_angle 30 -o rim.msh
+says "embedded curve 7 is outside surface 1" "is named"
+
+# ---- an embedded curve that crosses itself: it is cut twice at the point where it does ----
+cat >loop.geo <<'G'
+h = 0.02; Point(1) = {-1, -1, 0, 0.3}; Point(2) = {1, -1, 0, 0.3}; Point(3) = {1, 1, 0, 0.3}; Point(4) = {-1, 1, 0, 0.3};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1}; Curve Loop(1) = {1:4}; Plane Surface(1) = {1};
+Point(5) = {-0.5, -0.5, 0, h}; Point(6) = {0.5, 0.3, 0, h}; Point(7) = {0, 0.7, 0, h}; Point(8) = {-0.5, 0.3, 0, h}; Point(9) = {0.5, -0.5, 0, h};
+Spline(5) = {5:9}; Curve{5} In Surface{1};
+G
+exits 0 "an embedded spline with a loop in it" "$MESHGEN" -2 loop.geo -require "area>3.999999999" -o loop.msh
+exits 0 "passes the audit" "$MESHGEN" check loop.msh
+
+# ---- two faces on one loop: an edge within each may join the same nodes ----
+cat >twins.geo <<'G'
+Point(1) = {0, 0, 0, 2}; Point(2) = {2, 0, 0, 2}; Point(3) = {2, 1, 0, 2}; Point(4) = {0, 1, 0, 2};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1}; Curve Loop(1) = {1:4}; Plane Surface(1) = {1}; Plane Surface(2) = {1};
+G
+exits 0 "two faces on one loop" "$MESHGEN" -2 twins.geo -format msh2 -o twins.msh
+exits 0 "of order 2" "$MESHGEN" -2 twins.geo -order 2 -o twins.msh
+exits 0 "halved" "$MESHGEN" -2 twins.geo -setnumber Mesh.SubdivisionAlgorithm 1 -o twins.msh
 
 # ---- points among the shapes of fragments ----
 cat >fragments.geo <<'G'

@@ -6,7 +6,8 @@ MESHGEN=${MESHGEN:-$ROOT/build/release/meshgen}
 PYTHON=${PYTHON:-/usr/bin/python3}
 work=$(mktemp -d "${SCRATCH:-/tmp}/cli.XXXXXX")
 cd "$work" || exit 3
-trap 'rm -rf "$work"' EXIT
+# A child that is killed before it becomes the program it was started for may still run this.
+trap '[ "$BASHPID" != "$$" ] || rm -rf "$work"' EXIT
 count=0
 
 # ok NAME | not_ok NAME [DETAIL...]

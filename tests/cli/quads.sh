@@ -196,4 +196,40 @@ for angle in 2 3 4; do # points of the quadrilateral that move up or down
   exits 0 "boundary layers $angle: a manifold with one hole" "$halfedges" l.msh 0
   sed -i "s/^Point(1) = {0, 0, 0, h}; Point(2) = {[0-9.]*/Point(1) = {-$angle, 0, 0, h}; Point(2) = {2.$angle/" layers.geo
 done
+# Spikes far from the origin: corners that are flat but for rounding would fold when their quadrangles are halved.
+cat >spikes.geo <<'G'
+DefineConstant[a = -1, w = 0.001];
+Point(1) = {1000, 0, 0, 2};
+For i In {0:4}
+  r = 10 + i / 2; t = a + w * i;
+  Point(3 * i + 2) = {1000 + r * Cos(t), r * Sin(t), 0, 2}; Point(3 * i + 3) = {1000 + r * Cos(t + w / 2), r * Sin(t + w / 2), 0, 2};
+  Point(3 * i + 4) = {1000 + Cos(t + 0.75 * w), Sin(t + 0.75 * w), 0, 2};
+EndFor
+For i In {1:14}
+  Line(i) = {i, i + 1};
+EndFor
+Line(15) = {15, 1}; Curve Loop(1) = {1:15}; Plane Surface(1) = {1};
+Recombine Surface{1}; Mesh.SubdivisionAlgorithm = 1;
+G
+for a in -1 -0.9 0.3; do for w in 0.001 0.003; do exits 0 "spikes of $w at $a" "$MESHGEN" -2 spikes.geo -setnumber a $a -setnumber w $w -o spikes.msh; done; done
+# Embedded lines with loose ends: two elements that share an edge of one share the next edge too, which must not be merged away.
+cat >star.geo <<'G'
+Point(26) = {-8.692626, 22.553938, 0, 2}; Point(27) = {-16.08888, 24.5047, 0, 2}; Point(28) = {-19.101702, 17.53391, 0, 1.378}; Point(29) = {-11.750801, 15.509653, 0, 3.64};
+Point(30) = {-13.92994, 20.028117, 0, 0.683}; Point(31) = {-14.319468, 18.549628, 0, 2}; Point(32) = {-13.016878, 18.801748, 0, 2}; Point(33) = {-12.401841, 19.977348, 0, 2};
+Point(34) = {-12.937492, 21.191178, 0, 2}; Point(35) = {-14.220474, 21.529201, 0, 7.56}; Point(36) = {-15.284679, 20.736879, 0, 2}; Point(37) = {-15.328739, 19.410846, 0, 2};
+Spline(23) = {26, 27, 28}; Spline(24) = {28, 29, 26}; Curve Loop(5) = {23, 24}; Plane Surface(3) = {5};
+For i In {25:31}
+  Line(i) = {30, i + 6}; Curve{i} In Surface{3};
+EndFor
+Recombine Surface{3}; Mesh.MeshSizeFactor = 10;
+G
+for r in 1 2 3; do exits 0 "a star of embedded lines, method $r" "$MESHGEN" -2 star.geo -setnumber Mesh.RecombinationAlgorithm $r -o star.msh; done
+# A loop of few edges, of which every second node is left out: the hole is outside of what remains.
+cat >outside.geo <<'G'
+h = 9; Point(1) = {-0.9, -0.9, 0, h}; Point(2) = {0.6, -1.25, 0, h}; Point(3) = {1.3, 0.2, 0, h}; Point(4) = {0.2, 1.25, 0, h}; Point(5) = {-1.1, 0.6, 0, h};
+Spline(1) = {1, 2, 3, 4}; Line(2) = {4, 5}; Line(3) = {5, 1}; Curve Loop(1) = {1:3};
+Point(6) = {0.35, -0.2, 0, h}; Point(7) = {0.6, -0.1, 0, h}; Point(8) = {0.5, 0.2, 0, h}; Line(4) = {6, 7}; Line(5) = {7, 8}; Line(6) = {8, 6};
+Curve Loop(2) = {4:6}; Plane Surface(1) = {1, 2}; Recombine Surface{1};
+G
+for r in 2 3; do exits 0 "a hole outside of the coarse polygon, method $r" "$MESHGEN" -2 outside.geo -setnumber Mesh.RecombinationAlgorithm $r -o outside.msh; done
 echo "1..$count"

@@ -65,4 +65,21 @@ for alpha in 1.1 1.3 2; do
     END { print most / exp(alpha - 1) }' jump.msh2)
   check "-gradation $alpha limits neighbours on curves ($worst of the limit)" awk -v w="$worst" 'BEGIN { exit !(w > 0.5 && w <= 1.0001) }'
 done
+# A triangle that is flat but for rounding is no reason to ask a field for its size nowhere.
+cat >flat.geo <<'END'
+x[] = {-0.6595870596896902, -0.8227834902700621, -0.6517769732063603, -0.0965946923340338, 0.4119097576163131, 0.7710081753252979, 0.8266779415998715, 0.3500941415963413, -0.1758473997576494};
+y[] = {0.4992925940243685, -0.04132188073703184, -0.6051408269455607, -0.7727698921182479, -0.6373227758347635, -0.2375599702791173, 0.3487790815584377, 0.6834112948304392, 0.7693265130835601};
+For i In {0:8}
+  Point(i + 1) = {x[i], y[i], 0};
+EndFor
+MeshSize{1:9} = 0.5; MeshSize{2} = 0.191164; MeshSize{5} = 0.775957; BSpline(1) = {1:9, 1}; Curve Loop(1) = {1};
+Point(10) = {0, 0, 0, 0.846618}; Point(11) = {0.10793975363630684, -0.08411047714136667, 0, 0.5}; Point(12) = {0.10279128163306527, -0.031151792812477704, 0, 0.281175};
+Point(13) = {0.14581036256054472, 0.02107021356065694, 0, 0.5}; Point(14) = {0.13446022057345938, 0.1408209292218427, 0, 0.5};
+Point(15) = {-0.17636240907221298, 0.08133944729604639, 0, 0.5}; Point(16) = {-0.12068118676708627, -0.06724511554411358, 0, 0.648678};
+Line(2) = {10, 11}; Line(3) = {11, 12}; Line(4) = {12, 13}; Line(5) = {13, 14}; Line(6) = {14, 10}; Line(7) = {10, 15}; Line(8) = {15, 16}; Line(9) = {16, 10};
+Curve Loop(2) = {2:6}; Curve Loop(3) = {7:9}; Plane Surface(1) = {1, 2, 3};
+Mesh.Algorithm = 1; Mesh.Smoothing = 0; Mesh.MeshSizeFactor = 2;
+Field[1] = MathEval; Field[1].F = "0.5 * (1 + 0.8 * sin(5 * x) * cos(4 * y))"; Background Field = 1;
+END
+exits 0 "a field beside flat triangles" "$MESHGEN" -2 flat.geo -o flat.msh
 echo "1..$count"

@@ -60,6 +60,15 @@ says "out of memory" "memory limit is said"
 absent "memory limit: no file" large.msh
 exits 1 "element limit" "$MESHGEN" -2 m.geo -max_elements 10 -o many.msh
 absent "element limit: no file" many.msh
+cat >slivers.geo <<'END'
+For k In {0:2}
+  p = newp; Point(p) = {3 * k, 0, 0, 0.2}; Point(p + 1) = {3 * k + 1, 0, 0, 0.2}; Point(p + 2) = {3 * k + 1, 0.01, 0, 0.2};
+  l = newl; Line(l) = {p, p + 1}; Line(l + 1) = {p + 1, p + 2}; Line(l + 2) = {p + 2, p}; Curve Loop(k + 1) = {l:l + 2}; Plane Surface(k + 1) = {k + 1};
+EndFor
+END
+exits 1 "element limit, of all surfaces" "$MESHGEN" -2 slivers.geo -min_angle 30 -max_elements 700 -o many.msh
+says "the surfaces have 807 elements, more than Mesh.MaxElements = 700" "is said"
+absent "and no file is written" many.msh
 exits 3 "a log that cannot be written" "$MESHGEN" -2 m.geo -log no/such/log.txt -o x.msh
 mkdir lib && echo "no library" >lib/libcairo.so.2
 exits 3 "a picture without the library that draws it" env LD_LIBRARY_PATH=lib "$MESHGEN" m.msh -v 1 -o m.png

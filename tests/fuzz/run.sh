@@ -7,7 +7,10 @@ here=$(dirname "$0")
 make --no-print-directory CONFIG=release all >/dev/null
 mkdir -p "$folder/corpus-script" "$folder/corpus-mesh" "$folder/seeds"
 cp geo/*.geo "$folder/corpus-script/"
-for f in tests/script/*/*.geo; do cp "$f" "$folder/corpus-script/$(echo "$f" | tr / _)"; done
+for f in tests/script/*/*.geo; do
+  ! grep -q "does not come to an end" "$f" || continue # seconds until the limit, and minutes with sanitizers on a busy machine
+  cp "$f" "$folder/corpus-script/$(echo "$f" | tr / _)"
+done
 k=0 # the first byte of a mesh chooses the format, in the order of fuzz_mesh.c
 for f in msh vtk vtu mesh inp su2 unv off obj ply stl; do
   for bin in "" -bin; do

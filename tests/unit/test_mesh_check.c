@@ -49,7 +49,7 @@ static uint32_t block_of(const Mesh *m, int dim, int tag)
   return b;
 }
 
-// Check and demand errors of exactly this rule (and allow those of `also`, a bit mask).
+// Check and demand errors of exactly this rule (RULE_COUNT: of none), and allow those of `also`, a bit mask.
 static void expect(Mesh *m, bool strict, MeshRule rule, unsigned also, size_t count)
 {
   MeshReport r;
@@ -58,7 +58,7 @@ static void expect(Mesh *m, bool strict, MeshRule rule, unsigned also, size_t co
     bool fine = k == (int)rule ? (count ? r.count[k] == count : r.count[k] > 0) : r.count[k] == 0 || (also >> k & 1);
     if (!fine) {
       show(&r);
-      fail_msg("rule %s: %zu findings (looking for %s)", mesh_rule_name((MeshRule)k), r.count[k], mesh_rule_name(rule));
+      fail_msg("rule %s: %zu findings (looking for %s)", mesh_rule_name((MeshRule)k), r.count[k], rule < RULE_COUNT ? mesh_rule_name(rule) : "none");
     }
   }
   mesh_report_free(&r);
@@ -173,6 +173,42 @@ static void a_lost_edge(void **state)
   expect(m, true, RULE_LOST_EDGE, 0, 4);
 }
 
+// A square of two triangles, and a curve from corner 2 to 4 that its loop runs along there and back.
+static Mesh *square_with_slit(bool lost)
+{
+  static const double at[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  static const int end[5][2] = {{1, 2}, {2, 3}, {3, 4}, {4, 1}, {2, 4}};
+  Mesh *m = mesh_new();
+  Vec3 lo = {0, 0, 0}, hi = {1, 1, 0};
+  for (int i = 0; i < 4; i++) sample_entity(m, 0, i + 1, 0, NULL, 0, lo, hi);
+  for (int i = 0; i < 5; i++) sample_entity(m, 1, i + 1, 0, (int[]){end[i][0], -end[i][1]}, 2, lo, hi);
+  sample_entity(m, 2, 1, 0, (int[]){1, 5, -5, 2, 3, 4}, 6, lo, hi);
+  for (uint32_t i = 0; i < 4; i++) mesh_add_node(m, (Vec3){at[i][0], at[i][1], 0}, i, NAN);
+  for (uint32_t i = 0; i < 9; i++) {
+    uint32_t b = mesh_add_block(m, i, i < 4 ? ELEM_POINT : ELEM_LINE2, 1);
+    m->block[b].node[0] = i < 4 ? i : (uint32_t)end[i - 4][0] - 1;
+    if (i >= 4) m->block[b].node[1] = (uint32_t)end[i - 4][1] - 1;
+  }
+  static const uint32_t along[6] = {0, 1, 3, 1, 2, 3}, across[6] = {0, 1, 2, 0, 2, 3};
+  uint32_t b = mesh_add_block(m, 9, ELEM_TRI3, 2);
+  memcpy(m->block[b].node, lost ? across : along, sizeof along);
+  return m;
+}
+
+// What a loop runs along twice is a slit, or lies between two holes and is in no element.
+static void a_lost_slit(void **state)
+{
+  (void)state;
+  expect(square_with_slit(false), true, RULE_COUNT, 0, 0);
+  expect(square_with_slit(true), true, RULE_LOST_EDGE, 0, 1);
+  Mesh *m = sample_mesh(4, true, false);
+  vec_push(&m->entity[13].boundary, 3); // beside face 1, for all that its elements tell
+  vec_push(&m->entity[13].boundary, -3);
+  vec_push(&m->entity[13].boundary, 7); // a side that is listed three times is a side
+  vec_push(&m->entity[13].boundary, -7);
+  expect(m, true, RULE_COUNT, 0, 0);
+}
+
 // The interface is coarser on the right: its nodes hang.
 static void a_t_junction(void **state)
 {
@@ -255,7 +291,7 @@ int main(void)
       cmocka_unit_test(an_inverted_element), cmocka_unit_test(a_flat_element), cmocka_unit_test(a_concave_quadrangle),
       cmocka_unit_test(nodes),            cmocka_unit_test(an_element_twice), cmocka_unit_test(a_hole),
       cmocka_unit_test(a_lost_edge),      cmocka_unit_test(a_t_junction),     cmocka_unit_test(classification),
-      cmocka_unit_test(groups),           cmocka_unit_test(periodic),         cmocka_unit_test(turned_in_space),
+      cmocka_unit_test(groups),           cmocka_unit_test(a_lost_slit),      cmocka_unit_test(periodic),         cmocka_unit_test(turned_in_space),
   };
   return unit_run(tests);
 }

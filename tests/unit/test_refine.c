@@ -490,6 +490,32 @@ static void test_angles_are_guaranteed(void **state)
   }
 }
 
+static double slope(void *ctx, Vec2 p) { return (void)ctx, 0.1 + 0.05 * p.x; }
+
+// Vertices that are made for the angle have sizes like all others.
+static void test_sizes_of_vertices_for_angles(void **state)
+{
+  (void)state;
+  Rng rng = {23};
+  for (int k = 0; k < 20; k++) {
+    Domain d;
+    random_polygon(&d, &rng, k % 2);
+    Tri m;
+    empty_mesh(&d, &m);
+    double *size = NULL;
+    TriRefineParams p = tri_refine_defaults();
+    p.algorithm = REFINE_EMPTY, p.min_angle = 30, p.size = slope, p.sizes_out = &size, p.extend_from_boundary = false, p.conforming = k % 4 == 0;
+    TriRefineStats s = tri_refine(&m, &p);
+    assert_true(s.inserted + s.split > 0);
+    for (VertId v = 0; v < m.nv; v++)
+      if (!(fabs(size[v] - slope(NULL, (Vec2){m.xy[2 * v], m.xy[2 * v + 1]})) < 1e-12))
+        fail_msg("polygon %d, vertex %u of %u: size %g, not %g", k, v, m.nv, size[v], slope(NULL, (Vec2){m.xy[2 * v], m.xy[2 * v + 1]}));
+    free(size);
+    tri_free(&m);
+    vec_free(&d.xy), vec_free(&d.ends);
+  }
+}
+
 static bool split_outward(void *ctx, VertId u, VertId v, double at, Vec2 *point)
 {
   (void)u, (void)v, (void)at;
@@ -515,6 +541,39 @@ static void test_splits_follow_the_curve(void **state)
   assert_int_equal(tri_check(&m, TRI_CHECK_LINKS | TRI_CHECK_ORIENT | TRI_CHECK_EULER, NULL), 0);
   tri_free(&m);
   vec_free(&d.xy), vec_free(&d.ends);
+}
+
+enum { HINT = 1000 };
+
+static double hinted_cross(void *ctx, Vec2 p, uint32_t *near)
+{
+  const VertId given = *(VertId *)ctx;
+  assert_true(*near == NONE || (*near >= HINT && *near < HINT + given));
+  return p.x;
+}
+
+// There are hints for the vertices given, and none for those that conformity adds before the crosses are asked for.
+static void test_conforming_vertices_have_no_hints(void **state)
+{
+  (void)state;
+  Rng rng = {6};
+  for (int k = 0; k < 20; k++) {
+    Domain d;
+    random_polygon(&d, &rng, false);
+    Tri m;
+    empty_mesh(&d, &m);
+    VertId given = m.nv;
+    uint32_t *hint = mem_alloc(given * sizeof *hint);
+    for (VertId v = 0; v < given; v++) hint[v] = HINT + v;
+    TriRefineParams p = tri_refine_defaults();
+    p.algorithm = k % 2 ? REFINE_PACK : REFINE_FRONT_QUAD, p.conforming = true;
+    p.cross = hinted_cross, p.cross_ctx = &given, p.cross_near = hint;
+    tri_refine(&m, &p);
+    assert_int_equal(tri_check(&m, TRI_CHECK_LINKS | TRI_CHECK_ORIENT | TRI_CHECK_EULER, NULL), 0);
+    free(hint);
+    tri_free(&m);
+    vec_free(&d.xy), vec_free(&d.ends);
+  }
 }
 
 static void test_conforming_segments_have_empty_circles(void **state)
@@ -583,8 +642,10 @@ int main(void)
       cmocka_unit_test(test_lattices_follow_the_crosses),
       cmocka_unit_test(test_equal_runs_give_equal_arrays),
       cmocka_unit_test(test_limits_and_cancellation),
+      cmocka_unit_test(test_sizes_of_vertices_for_angles),
       cmocka_unit_test(test_angles_are_guaranteed),
       cmocka_unit_test(test_splits_follow_the_curve),
+      cmocka_unit_test(test_conforming_vertices_have_no_hints),
       cmocka_unit_test(test_conforming_segments_have_empty_circles),
       cmocka_unit_test(test_large_faces_are_refined_everywhere),
   };
