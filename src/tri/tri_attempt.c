@@ -4,7 +4,7 @@
 #include "tri/tri_polish.h"
 
 // Slots for triangles of a face below which all its meshes are polished, polishing is brief, several meshes are polished.
-enum { TINY = 60, SMALL = 150, REPEATED = 300 };
+enum { TINY = 60, SMALL = 165, REPEATED = 300 };
 // How many meshes are polished; how often polishing is repeated with more weight on what got worse.
 enum { POLISHED = 4, RAISES = 2 };
 // Positions measured for one mesh: brief, of several, once. 0.1 us each.
