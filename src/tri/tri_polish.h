@@ -76,10 +76,11 @@ PolishFigures polish__figures(const Refiner *r);
 // What a mesh with these figures costs: means, the smallest angle, and far more where one is worse than the reference.
 double polish__cost(const PolishFigures *f, const PolishFigures *reference);
 
-// How far gamma = 1/f is from 1, `mean` times, and more the worse it is.
+// How far gamma = 1/f is from 1, `mean` times, and more the worse it is; below gamma 1/2 the second part levels off (at 4 times what it is
+// there): slivers that the boundary leaves no way round would outweigh the rest of the mesh.
 static inline double polish__badness(double f, double mean, double tail)
 {
-  return mean * (1 - 1 / f) + tail * (f - 1) * (f - 1);
+  return mean * (1 - 1 / f) + tail * (f < 2 ? (f - 1) * (f - 1) : 5 - 8 / f);
 }
 
 // What a triangle costs that has 1/kappa_4^2 = f; steeply more beyond the bound.

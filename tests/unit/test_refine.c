@@ -230,6 +230,91 @@ static void test_small_faces_are_polished(void **state)
   }
 }
 
+// A strip from (0, 0) to (1, w), its points ever farther from each other.
+static void add_graded_strip(Domain *d, double w, double first, double growth)
+{
+  DoubleVec x = {0};
+  for (double at = 0, step = first; at < 1 - step / 2; at += step, step *= growth) vec_push(&x, at);
+  vec_push(&x, 1);
+  for (size_t i = 0; i < x.len; i++) vec_push(&d->xy, x.data[i]), vec_push(&d->xy, 0);
+  for (size_t i = x.len; i-- > 0;) vec_push(&d->xy, x.data[i]), vec_push(&d->xy, w);
+  uint32_t n = 2 * (uint32_t)x.len;
+  for (uint32_t i = 0; i < n; i++) vec_push(&d->ends, i), vec_push(&d->ends, (i + 1) % n);
+  vec_free(&x);
+}
+
+// The mean length of the two segments at each vertex of a single loop.
+static double *lengths_at_vertices(const Domain *d)
+{
+  size_t n = d->xy.len / 2;
+  double *h = mem_zalloc(n * sizeof *h);
+  for (size_t i = 0; i < n; i++) {
+    const double *a = d->xy.data + 2 * i, *b = d->xy.data + 2 * ((i + 1) % n);
+    double l = hypot(b[0] - a[0], b[1] - a[1]) / 2;
+    h[i] += l, h[(i + 1) % n] += l;
+  }
+  return h;
+}
+
+// Polishing moves vertices by trial: each must end with the size of the place it has, linear on the empty mesh.
+static void test_vertices_have_the_sizes_of_their_places(void **state)
+{
+  (void)state;
+  size_t inner = 0;
+  for (int k = 0; k < 40; k++) {
+    Domain d = {.slits = SIZE_MAX};
+    add_graded_strip(&d, 0.25 + 0.005 * k, 0.1, 1.05 + 0.01 * k);
+    Tri m, empty;
+    empty_mesh(&d, &m), empty_mesh(&d, &empty);
+    double *h = lengths_at_vertices(&d), *size = NULL;
+    TriRefineParams p = tri_refine_defaults();
+    p.algorithm = k % 2 ? REFINE_ADAPT : REFINE_FRONTAL;
+    p.sizes_out = &size;
+    tri_refine(&m, &p);
+    for (VertId v = (VertId)(d.xy.len / 2); v < m.nv; v++) {
+      EdgeId e;
+      assert_int_not_equal(tri_locate(&empty, tri_xy(&m, v), NONE, &e), TRI_OUTSIDE);
+      const uint32_t *c = empty.vert + 3 * (size_t)tri_of(e);
+      const double *a = tri_xy(&empty, c[0]), *b = tri_xy(&empty, c[1]), *g = tri_xy(&empty, c[2]), *q = tri_xy(&m, v);
+      double whole = (b[0] - a[0]) * (g[1] - a[1]) - (b[1] - a[1]) * (g[0] - a[0]);
+      double s = ((q[0] - a[0]) * (g[1] - a[1]) - (q[1] - a[1]) * (g[0] - a[0])) / whole;
+      double t = ((b[0] - a[0]) * (q[1] - a[1]) - (b[1] - a[1]) * (q[0] - a[0])) / whole;
+      double wanted = h[c[0]] * (1 - s - t) + h[c[1]] * s + h[c[2]] * t;
+      assert_true(fabs(size[v] - wanted) < 1e-9 * wanted);
+      inner++;
+    }
+    free(size), free(h);
+    tri_free(&m), tri_free(&empty);
+    vec_free(&d.xy), vec_free(&d.ends);
+  }
+  assert_true(inner > 100);
+}
+
+// Where slivers cannot be helped, as between steps of a strip, points brought in for them would cost more than they mend.
+static void test_strips_of_one_row_stay_as_they_are(void **state)
+{
+  (void)state;
+  Domain d = {.slits = SIZE_MAX};
+  enum { STEPS = 6 };
+  for (int i = 0; i <= STEPS; i++) {
+    vec_push(&d.xy, 3 * i), vec_push(&d.xy, 0);
+    if (i < STEPS) vec_push(&d.xy, 3 * i + 0.03), vec_push(&d.xy, 0), vec_push(&d.xy, 3 * i + 1.5), vec_push(&d.xy, 0);
+  }
+  for (int i = STEPS; i >= 0; i--) vec_push(&d.xy, 3 * i), vec_push(&d.xy, 0.8);
+  uint32_t n = (uint32_t)(d.xy.len / 2);
+  for (uint32_t i = 0; i < n; i++) vec_push(&d.ends, i), vec_push(&d.ends, (i + 1) % n);
+  Tri m;
+  empty_mesh(&d, &m);
+  MeshQuality before = measure(&m, constant, &(double){1.5});
+  TriRefineParams p = tri_refine_defaults();
+  tri_refine(&m, &p);
+  MeshQuality after = measure(&m, constant, &(double){1.5});
+  assert_int_equal(m.nv, n);
+  assert_true(after.gamma_mean >= before.gamma_mean - 1e-12);
+  tri_free(&m);
+  vec_free(&d.xy), vec_free(&d.ends);
+}
+
 static void test_quality_of_the_square(void **state)
 {
   (void)state;
@@ -635,6 +720,8 @@ int main(void)
       cmocka_unit_test(test_every_strategy_keeps_the_boundary),
       cmocka_unit_test(test_optimization_never_worsens_the_worst),
       cmocka_unit_test(test_small_faces_are_polished),
+      cmocka_unit_test(test_vertices_have_the_sizes_of_their_places),
+      cmocka_unit_test(test_strips_of_one_row_stay_as_they_are),
       cmocka_unit_test(test_quality_of_the_square),
       cmocka_unit_test(test_sizes_of_a_field_are_met),
       cmocka_unit_test(test_a_small_dip_of_the_field_is_not_missed),
