@@ -66,7 +66,7 @@ prints '"hash"' "a report of a mesh file: its hash"
 exits 1 "a condition on a mesh file" "$MESHGEN" a.msh -require "min_gamma>1.5"
 
 # On a terminal a long batch shows its progress; in a pipe it does not.
-for i in $(seq 30); do model "slow$i" 0.006; done
+for i in $(seq 30); do model "slow$i" 0.003; done
 if "$PYTHON" -c 'import os; os.openpty()' 2>/dev/null; then
   script -qec "$MESHGEN -2 slow*.geo -o out -nt 1" typescript >/dev/null 2>&1
   if grep -q 'inputs/s' typescript; then ok "progress on a terminal"; else not_ok "progress on a terminal" "$(tail -c 300 typescript)"; fi
