@@ -330,8 +330,7 @@ static void list_face(Boolean *b, const WireVec *wires, const U32Vec *holes, siz
   vec_push(&b->listing, l);
 }
 
-// ---- holes
-// ---------------------------------------------------------------------------------------------------------------
+// ---- holes ----------------------------------------------------------------------------------------------------------
 // The holes of a face that is split are found in the order of the Morton codes of their boxes' centres, on a grid
 // of 1024 x 1024 over all of them.
 

@@ -167,7 +167,8 @@ double refine__linear(const Tri *m, const double *at_vertex, TriId t, const doub
 // ---- tri_attempt.c
 enum { REFINE_POLISHED = 3000 }; // slots for triangles of a face that is small
 // The face meshed and optimized from the empty mesh that r has, whose vertices are `given`. If it is small, meshes of several scales are
-// compared and the best ones polished; none that is kept has a triangle worse than the worst that the first one began to optimize.
+// compared and the best ones polished; in none that is kept is 1/gamma of the worst triangle a sixtieth above that of the first one before
+// it was optimized, or more.
 void refine__make_mesh(Refiner *r, VertId given);
 // Everything but the mesh.
 void refine__release(Refiner *r);

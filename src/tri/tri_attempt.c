@@ -13,7 +13,7 @@ enum { WORK_BRIEF = 3000, WORK_OF_SEVERAL = 14000, WORK_ONCE = 40000 };
 #define RAISED 2.5
 // With fewer triangles than this share of the first mesh's, a dip of the size field has been missed.
 #define DIP_MISSED 0.6
-// 1/gamma of the worst triangle: how much above that of the first mesh it may end.
+// 1/gamma of the worst triangle: what it may end as, in terms of that of the first mesh before it was optimized.
 #define ABOVE_WORST (1 + 1 / 60.)
 
 // What vertices are placed by, in terms of the sizes: with few triangles, chance decides how well they fit.
